@@ -1,0 +1,128 @@
+//! Chromatic adaptation: what a colour seen under one white corresponds to under another.
+
+use super::Xyz;
+use super::matrix::{Matrix, apply, apply64, inverse64, product64, rounded, scale_columns64};
+
+/// The cone responses an adaptation scales one by one, as von Kries proposed.
+pub trait Cones: Copy + 'static {
+    /// XYZ to the three responses, row-major.
+    const FROM_XYZ: [[f64; 3]; 3];
+}
+
+/// Bradford: what ICC profiles use. (Its blue exponent is left out, as everybody does.)
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bradford;
+/// CAT02 of CIECAM02.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cat02;
+/// CAT16 of CIECAM16.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cat16;
+/// von Kries on Hunt-Pointer-Estevez cones (as equal energy and D65 have them).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct VonKries;
+
+impl Cones for Bradford {
+    const FROM_XYZ: [[f64; 3]; 3] =
+        [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]];
+}
+impl Cones for Cat02 {
+    const FROM_XYZ: [[f64; 3]; 3] =
+        [[0.7328, 0.4296, -0.1624], [-0.7036, 1.6975, 0.0061], [0.0030, 0.0136, 0.9834]];
+}
+impl Cones for Cat16 {
+    const FROM_XYZ: [[f64; 3]; 3] =
+        [[0.401288, 0.650173, -0.051461], [-0.250268, 1.204414, 0.045854], [-0.002079, 0.048952, 0.953127]];
+}
+impl Cones for VonKries {
+    const FROM_XYZ: [[f64; 3]; 3] =
+        [[0.40024, 0.7076, -0.08081], [-0.2263, 1.16532, 0.0457], [0.0, 0.0, 0.91822]];
+}
+
+/// The change from one white to another, as a matrix for tristimulus values.
+///
+/// It is a matter of chromaticity: the first white becomes a light of the second's
+/// chromaticity and its own luminance, so it matters neither what Y the whites are given with
+/// nor what Y the colours have.
+///
+/// # Reference
+/// CIE 160:2004; ICC.1:2022 annex E for Bradford; CIE 248:2022 for CAT16.
+///
+/// ```
+/// use nanospectra::color::{Adaptation, Bradford, Xyz};
+/// // ICC's D50, and D65, the compiler's work:
+/// const TO_D50: Adaptation =
+///     Adaptation::fixed::<Bradford>(Xyz::new(0.95047, 1.0, 1.08883), Xyz::new(0.9642, 1.0, 0.82491));
+/// let red = TO_D50.apply(Xyz::new(0.4124, 0.2126, 0.0193)); // of sRGB, which ICC has at
+/// assert!((red.x - 0.4360).abs() < 1e-4 && (red.y - 0.2225).abs() < 1e-4 && (red.z - 0.0139).abs() < 1e-4);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Adaptation(Matrix);
+
+impl Adaptation {
+    /// Complete adaptation between two whites known when the program is compiled: f64 inside,
+    /// so keep it in a `const` or `static`. Whites that have no such responses (see
+    /// [`Adaptation::between`]) make a matrix that is not finite.
+    ///
+    /// # Accuracy
+    /// Each element is the f64 one rounded to f32.
+    #[must_use]
+    pub const fn fixed<C: Cones>(from: Xyz, to: Xyz) -> Self {
+        let a = apply64(&C::FROM_XYZ, [from.x as f64, from.y as f64, from.z as f64]);
+        let b = apply64(&C::FROM_XYZ, [to.x as f64, to.y as f64, to.z as f64]);
+        let k = from.y as f64 / to.y as f64;
+        let gain = [k * b[0] / a[0], k * b[1] / a[1], k * b[2] / a[2]];
+        let back = scale_columns64(&inverse64(&C::FROM_XYZ), gain);
+        Adaptation(rounded(&product64(&back, &C::FROM_XYZ)))
+    }
+
+    /// Complete adaptation between two whites, at run time and in f32.
+    ///
+    /// `None` for a white without luminance, or with a cone response that is not above zero, as
+    /// a deep blue or red laser has. NaN stays NaN.
+    ///
+    /// # Accuracy
+    /// 1e-6 of the adapted white (`tests/color_spaces.rs`).
+    #[must_use]
+    pub fn between<C: Cones>(from: Xyz, to: Xyz) -> Option<Self> {
+        Self::partial::<C>(from, to, 1.0)
+    }
+
+    /// Adaptation of `degree` 0 (none: the colour as it is) to 1 (complete): the responses are
+    /// scaled by `degree * to / from + 1 - degree`, for whites of the same luminance.
+    ///
+    /// `None` as in [`Adaptation::between`].
+    #[must_use]
+    pub fn partial<C: Cones>(from: Xyz, to: Xyz, degree: f32) -> Option<Self> {
+        let cones = const { rounded(&C::FROM_XYZ) };
+        let back = const { rounded(&inverse64(&C::FROM_XYZ)) };
+        let a = apply(&cones, from.with_y(1.0)?.to_array());
+        let b = apply(&cones, to.with_y(1.0)?.to_array());
+        let mut scaled = cones;
+        for ((row, a), b) in scaled.iter_mut().zip(a).zip(b) {
+            if a <= 0.0 || b <= 0.0 {
+                return None;
+            }
+            let gain = degree * (b / a) + (1.0 - degree);
+            *row = row.map(|m| gain * m);
+        }
+        let [l, m, s] = scaled;
+        Some(Adaptation(back.map(|[p, q, r]| {
+            [p * l[0] + q * m[0] + r * s[0], p * l[1] + q * m[1] + r * s[1], p * l[2] + q * m[2] + r * s[2]]
+        })))
+    }
+
+    /// The corresponding colour, on the scale of `color`.
+    #[must_use]
+    pub const fn apply(&self, color: Xyz) -> Xyz {
+        let [x, y, z] = apply(&self.0, color.to_array());
+        Xyz { x, y, z }
+    }
+
+    /// The matrix, row-major.
+    #[must_use]
+    pub const fn matrix(&self) -> &[[f32; 3]; 3] {
+        &self.0
+    }
+}

@@ -1,0 +1,105 @@
+//! Dominant wavelength and excitation purity.
+
+use crate::color::{Xy, Xyz};
+use crate::observer::FineObserver;
+
+/// Closer to the white than this, in x, y, a colour has no hue to speak of.
+const ACHROMATIC: f32 = 1e-4;
+
+/// The spectral colour that, mixed with white, gives a colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Dominant {
+    /// Dominant wavelength in nm; for a purple the complementary one, negative: -499.6 nm.
+    pub nm: f32,
+    /// Excitation purity: the distance from the white over that of the boundary (the spectrum
+    /// locus, or the purple line), 0..=1 for real colours.
+    pub purity: f32,
+}
+
+/// The dominant wavelength and purity of `sample` as seen against `white`; `None` if it is
+/// within 1e-4 of the white, or not a number.
+///
+/// The ray from the white through the sample is cut with the spectrum locus of `eye`, straight
+/// between its 1 nm nodes, or with the purple line between its ends.
+///
+/// # Accuracy
+/// 0.01 nm between 405 and 680 nm, for colours 0.01 or more from the white; outside that the locus folds back on itself and the wavelength
+/// means little.
+///
+/// # Reference
+/// CIE 15:2018, 10.4; the sign of the complementary wavelength follows ASTM E308.
+///
+/// ```
+/// # use nanospectra::{color::{Xy, dominant_wavelength}, observer::CIE_1931};
+/// let equal_energy = Xy::new(1.0 / 3.0, 1.0 / 3.0);
+/// let amber = dominant_wavelength(Xy::new(0.466291, 0.460586), equal_energy, &CIE_1931).ok_or("white")?;
+/// assert!((amber.nm - 578.600).abs() < 0.01 && (amber.purity - 0.78286).abs() < 1e-4);
+/// # Ok::<(), &str>(())
+/// ```
+#[must_use]
+pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Option<Dominant> {
+    let ray = [sample.x - white.x, sample.y - white.y];
+    let length = dot(ray, ray);
+    if length.is_nan() || length < ACHROMATIC * ACHROMATIC {
+        return None;
+    }
+    let locus = Locus { eye, white };
+    if let Some((nm, reach)) = locus.cut(ray) {
+        return Some(Dominant { nm, purity: length / reach });
+    }
+    let (nm, _) = locus.cut([-ray[0], -ray[1]])?;
+    Some(Dominant { nm: -nm, purity: length / locus.purple(ray)? })
+}
+
+fn dot(a: [f32; 2], b: [f32; 2]) -> f32 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn cross(a: [f32; 2], b: [f32; 2]) -> f32 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// The spectrum locus, seen from a white.
+struct Locus<'a> {
+    eye: &'a FineObserver<3>,
+    white: Xy,
+}
+
+impl Locus<'_> {
+    /// Nodes as (nm, vector from the white), where the eye sees anything.
+    fn nodes(&self) -> impl DoubleEndedIterator<Item = (f32, [f32; 2])> {
+        let [x, y, z] = self.eye.weights();
+        let xyz = x.iter().zip(y).zip(z).enumerate();
+        xyz.filter_map(|(k, ((x, y), z))| {
+            let xy = Xyz::new(*x, *y, *z).xy()?;
+            Some((360.0 + k as f32, [xy.x - self.white.x, xy.y - self.white.y]))
+        })
+    }
+
+    /// Where the ray leaves through the locus: the wavelength, and the cut's distance from the white times the
+    /// ray's length. The outermost cut, where the locus folds back on itself.
+    fn cut(&self, ray: [f32; 2]) -> Option<(f32, f32)> {
+        let mut found: Option<(f32, f32)> = None;
+        for (a, b) in self.nodes().zip(self.nodes().skip(1)) {
+            let (from, to) = (cross(ray, a.1), cross(ray, b.1));
+            if (from < 0.0) == (to < 0.0) {
+                continue;
+            }
+            let t = from / (from - to);
+            let reach = dot(ray, a.1) + t * (dot(ray, b.1) - dot(ray, a.1));
+            if reach > found.map_or(0.0, |f| f.1) {
+                found = Some((a.0 + t * (b.0 - a.0), reach));
+            }
+        }
+        found
+    }
+
+    /// The same distance for the purple line.
+    fn purple(&self, ray: [f32; 2]) -> Option<f32> {
+        let (blue, red) = (self.nodes().next()?.1, self.nodes().next_back()?.1);
+        let (from, to) = (cross(ray, blue), cross(ray, red));
+        let reach = dot(ray, blue) + from / (from - to) * (dot(ray, red) - dot(ray, blue));
+        (reach > 0.0).then_some(reach)
+    }
+}

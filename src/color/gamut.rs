@@ -1,0 +1,81 @@
+//! What to do with a colour the display cannot show. There is no best way; each says what it
+//! keeps.
+
+use super::{Rgb, RgbSpace};
+
+/// A colour brought into the gamut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Mapped<S> {
+    /// The colour to show.
+    pub rgb: Rgb<S>,
+    /// Was it in the gamut, and so is shown as it is?
+    pub was_inside: bool,
+}
+
+impl<S: RgbSpace> Rgb<S> {
+    /// Is every component in 0..=1? Not if one is NaN.
+    #[must_use]
+    pub fn in_gamut(self) -> bool {
+        self.to_array().iter().all(|c| (0.0..=1.0).contains(c))
+    }
+
+    /// Each component by itself into 0..=1: simple, and keeps neither hue nor luminance. NaN
+    /// stays NaN.
+    #[must_use]
+    pub fn clip(self) -> Mapped<S> {
+        self.mapped(self.to_array().map(|c| c.clamp(0.0, 1.0)))
+    }
+
+    /// Dimmed until the largest component is 1: keeps the chromaticity, for lights brighter than
+    /// the display. A chromaticity it does not have (a component below zero) stays outside:
+    /// desaturate or clip after.
+    #[must_use]
+    pub fn dim(self) -> Mapped<S> {
+        let largest = self.r.max(self.g).max(self.b);
+        if largest > 1.0 {
+            self.mapped(self.to_array().map(|c| c / largest))
+        } else {
+            self.mapped(self.to_array())
+        }
+    }
+
+    /// Mixed with the grey of its own luminance, no more than needed: keeps the luminance and
+    /// the dominant wavelength. What is brighter than white is white, darker than black black;
+    /// NaN stays NaN.
+    ///
+    /// ```
+    /// use nanospectra::color::{Rgb, Srgb};
+    /// let cyan = Rgb::<Srgb>::new(-0.2, 0.6, 0.6); // spectral lights have a negative red
+    /// let shown = cyan.desaturate().rgb;
+    /// assert_eq!(shown.r, 0.0);
+    /// assert!((shown.luminance() - cyan.luminance()).abs() < 1e-6);
+    /// ```
+    #[must_use]
+    pub fn desaturate(self) -> Mapped<S> {
+        let grey = self.luminance();
+        if grey >= 1.0 {
+            return self.mapped([1.0; 3]);
+        }
+        if grey <= 0.0 {
+            return self.mapped([0.0; 3]);
+        }
+        if self.in_gamut() {
+            return self.mapped(self.to_array());
+        }
+        let mut keep: f32 = 1.0;
+        for c in self.to_array() {
+            if c > 1.0 {
+                keep = keep.min((1.0 - grey) / (c - grey));
+            } else if c < 0.0 {
+                keep = keep.min(grey / (grey - c));
+            }
+        }
+        // The clamp takes off what rounding leaves beyond the faces.
+        self.mapped(self.to_array().map(|c| (grey + keep * (c - grey)).clamp(0.0, 1.0)))
+    }
+
+    fn mapped(self, [r, g, b]: [f32; 3]) -> Mapped<S> {
+        Mapped { rgb: Rgb::new(r, g, b), was_inside: self.in_gamut() }
+    }
+}

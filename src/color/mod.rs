@@ -1,0 +1,43 @@
+//! What a measurement means to an eye: chromaticity, CCT, Lab, differences, RGB, rendering.
+
+mod adaptation;
+#[cfg(feature = "libm")]
+mod cam02ucs;
+mod cct;
+mod ciede2000;
+#[cfg(feature = "libm")]
+mod cri;
+mod difference;
+mod dominant;
+mod gamut;
+mod lab;
+mod luv;
+mod matrix;
+mod oklab;
+#[cfg(feature = "libm")]
+mod reference;
+mod rgb;
+#[cfg(feature = "libm")]
+mod tm30;
+pub mod transfer;
+mod xyz;
+
+pub use adaptation::{Adaptation, Bradford, Cat02, Cat16, Cones, VonKries};
+pub use cct::Cct;
+#[cfg(feature = "libm")]
+pub use ciede2000::ciede2000;
+pub use ciede2000::{Parametric, ciede2000_with};
+#[cfg(feature = "libm")]
+pub use cri::{Cri, cri};
+pub use difference::{Cie94, cie76, cie94, cmc, hyab};
+pub use dominant::{Dominant, dominant_wavelength};
+pub use gamut::Mapped;
+pub use lab::{Lab, Lch};
+pub use luv::Luv;
+pub use oklab::Oklab;
+#[cfg(feature = "libm")]
+pub use reference::RenderingError;
+pub use rgb::{AcesCg, AdobeRgb, Bt2020, DisplayP3, EncodedRgb, Rgb, RgbSpace, Srgb};
+#[cfg(feature = "libm")]
+pub use tm30::{HueBin, Tm30, tm30};
+pub use xyz::{Uv1960, Uv1976, Xy, Xyz};

@@ -1,0 +1,56 @@
+//! CIE daylight of any correlated colour temperature.
+
+use crate::color::Xy;
+use crate::grid::Nodes;
+use crate::light::{S0, S1, S2};
+use crate::spectrum::{Power, Spectrum};
+
+/// A daylight spectrum on the grid of its components, 5 nm steps over 300..=830 nm.
+pub type Daylight = Spectrum<Power, 107, Nodes<300, 830>>;
+
+/// The chromaticity of CIE daylight of temperature `cct_k`, 4000..=25000 K; `None` outside.
+///
+/// # Reference
+/// CIE 15:2018, equations 3.3 to 3.5.
+///
+/// ```
+/// # use nanospectra::light::daylight_xy;
+/// let d65 = daylight_xy(6504.0).ok_or("in range")?;
+/// assert!((d65.x - 0.31271).abs() < 1e-5 && (d65.y - 0.32912).abs() < 2e-5);
+/// # Ok::<(), &str>(())
+/// ```
+#[must_use]
+pub fn daylight_xy(cct_k: f32) -> Option<Xy> {
+    (4000.0..=25000.0).contains(&cct_k).then(|| locus(cct_k))
+}
+
+/// The spectrum of CIE daylight of temperature `cct_k`, 4000..=25000 K, 100 at 560 nm; `None`
+/// outside that range.
+///
+/// M1 and M2 are not rounded to three decimals, as the tables of D50, D55, D65 and D75 once were.
+///
+/// # Reference
+/// CIE 15:2018, 3.1: S0 + M1 S1 + M2 S2; between the 5 nm nodes linear.
+#[must_use]
+pub fn daylight(cct_k: f32) -> Option<Daylight> {
+    (4000.0..=25000.0).contains(&cct_k).then(|| spectrum(cct_k))
+}
+
+fn locus(cct_k: f32) -> Xy {
+    let r = 1000.0 / cct_k;
+    let x = if cct_k <= 7000.0 {
+        0.244_063 + r * (0.099_11 + r * (2.967_8 - r * 4.607_0))
+    } else {
+        0.237_040 + r * (0.247_48 + r * (1.901_8 - r * 2.006_4))
+    };
+    Xy { x, y: -0.275 + x * (2.870 - 3.000 * x) }
+}
+
+/// As [`daylight`], at any temperature: references above 25000 K follow the same formula.
+pub(crate) fn spectrum(cct_k: f32) -> Daylight {
+    let Xy { x, y } = locus(cct_k);
+    let m = 0.0241 + 0.2562 * x - 0.7341 * y;
+    let m1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / m;
+    let m2 = (0.0300 - 31.4424 * x + 30.0717 * y) / m;
+    S0 + S1 * m1 + S2 * m2
+}

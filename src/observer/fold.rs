@@ -1,0 +1,227 @@
+//! The fold: from 1 nm to N bins, keeping what the light's colour is.
+//!
+//! The N numbers of a coarse spectrum are bin averages. A *conservative* reconstruction draws a
+//! curve that has those averages; the response to that curve is linear in the averages, and its
+//! coefficients are the folded weights. Whatever the curve, it reproduces a constant, so the
+//! colour of the light itself (a white surface) is the same number at every N.
+
+use crate::grid::{Grid, Layout};
+use crate::observer::Observer;
+use crate::spectrum::Quantity;
+
+/// The curve that a folded observer draws through bin averages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Curve {
+    /// Flat in each bin. Weights are never negative: for narrow filters and single lines.
+    Step,
+    /// In each bin the parabola with the averages of the bin and its two neighbours.
+    Parabola,
+    /// The histospline: the smoothest of them, the derivative of the natural cubic spline through
+    /// the cumulative. For surfaces: 16 bins are then better than 60 without a fold.
+    Spline,
+}
+
+impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> {
+    /// Folds a fine observer (1 nm) into `M` bins of the grid `H`.
+    ///
+    /// What the fine grid has outside `H` goes to the end bins, so nothing of the light is lost.
+    /// Meant for `const` evaluation: 6 to 14 thousand steps for three rows; it computes in f64
+    /// and rounds each weight once.
+    ///
+    /// # Accuracy
+    /// The response to a constant is that of the fine observer within 4e-7 at every `M`. With
+    /// `Curve::Spline` and 16 bins over 380..730 nm, surfaces under the CIE FL and LED lamps are
+    /// within 0.06 CIEDE2000 in the mean.
+    #[must_use]
+    pub const fn fold<const M: usize, H: Grid>(&self, curve: Curve) -> Observer<C, M, Q, H> {
+        let mut weights = [[0.0; M]; C];
+        let mut c = 0;
+        while c < C {
+            let folded: [f64; M] = match curve {
+                Curve::Step => Moments::of_cells::<N, G, H>(&self.0[c]).mass,
+                Curve::Parabola => Moments::of_cells::<N, G, H>(&self.0[c]).parabola(),
+                Curve::Spline => Moments::of_points::<N, G, H>(&self.0[c]).spline(),
+            };
+            let mut k = 0;
+            while k < M {
+                weights[c][k] = round(folded[k]);
+                k += 1;
+            }
+            c += 1;
+        }
+        Observer::from_weights(weights)
+    }
+}
+
+/// To f32, once; what is too small to matter becomes 0, since subnormals slow every sum down.
+const fn round(weight: f64) -> f32 {
+    if -1e-30 < weight && weight < 1e-30 { 0.0 } else { weight as f32 }
+}
+
+/// The fine weights that fall into each bin: how much, and its first and second moment about the
+/// centre of the bin, where the bin reaches from -1/2 to 1/2.
+struct Moments<const M: usize> {
+    mass: [f64; M],
+    first: [f64; M],
+    second: [f64; M],
+}
+
+impl<const M: usize> Moments<M> {
+    const NONE: Self = Moments { mass: [0.0; M], first: [0.0; M], second: [0.0; M] };
+
+    /// Each fine weight at a point: its node, or the outer edge if that lies outside.
+    const fn of_points<const N: usize, G: Grid, H: Grid>(row: &[f32; N]) -> Self {
+        let mut moments = Self::NONE;
+        let mut n = 0;
+        while n < N {
+            let node = Layout::<G, N>::START + (n as f64 + 0.5) * Layout::<G, N>::WIDTH;
+            let (bin, t) = Self::place(bins_from_start::<M, H>(node));
+            moments.mass[bin] += row[n] as f64;
+            moments.first[bin] += row[n] as f64 * t;
+            moments.second[bin] += row[n] as f64 * t * t;
+            n += 1;
+        }
+        moments
+    }
+
+    /// Each fine weight spread evenly over its cell, which may lie across edges of bins.
+    const fn of_cells<const N: usize, G: Grid, H: Grid>(row: &[f32; N]) -> Self {
+        let mut moments = Self::NONE;
+        let mut n = 0;
+        while n < N {
+            let start = Layout::<G, N>::START + n as f64 * Layout::<G, N>::WIDTH;
+            let low = bins_from_start::<M, H>(start);
+            let high = bins_from_start::<M, H>(start + Layout::<G, N>::WIDTH);
+            let density = row[n] as f64 / (high - low);
+            let mut from = low;
+            while from < high {
+                // Up to the next edge; outside the grid, to where it begins or to the end.
+                let to = if from < 0.0 {
+                    0.0
+                } else if from >= M as f64 {
+                    high
+                } else {
+                    (from as usize + 1) as f64
+                };
+                let to = if to < high { to } else { high };
+                moments.add_piece(density, from, to);
+                from = to;
+            }
+            n += 1;
+        }
+        moments
+    }
+
+    const fn add_piece(&mut self, density: f64, from: f64, to: f64) {
+        let mass = density * (to - from);
+        let (bin, middle) = Self::place((from + to) / 2.0);
+        let outside = from < 0.0 || from >= M as f64;
+        let half = if outside { 0.0 } else { (to - from) / 2.0 };
+        self.mass[bin] += mass;
+        self.first[bin] += mass * middle;
+        self.second[bin] += mass * (middle * middle + half * half / 3.0);
+    }
+
+    /// Bin and place in it, -1/2..=1/2, of a position counted in bins from the grid's start.
+    const fn place(position: f64) -> (usize, f64) {
+        if position <= 0.0 {
+            (0, -0.5)
+        } else if position >= M as f64 {
+            (M - 1, 0.5)
+        } else {
+            (position as usize, position - position as usize as f64 - 0.5)
+        }
+    }
+
+    /// Bin k has the curve `s + (r - l)/2 t + (r - 2 s + l)/2 (t^2 - 1/12)`, with `l` and `r` the
+    /// averages of its neighbours; an end bin continues its neighbour's parabola.
+    const fn parabola(&self) -> [f64; M] {
+        let mut weights = self.mass;
+        if M < 3 {
+            return if M == 2 { self.line() } else { weights };
+        }
+        let mut k = 0;
+        while k < M {
+            let (middle, shift) = if k == 0 {
+                (1, -1.0)
+            } else if k == M - 1 {
+                (M - 2, 1.0)
+            } else {
+                (k, 0.0)
+            };
+            // Moments about the middle bin's centre, where t = (place in this bin) + shift.
+            let first = self.first[k] + shift * self.mass[k];
+            let second = self.second[k] + 2.0 * shift * self.first[k] + shift * shift * self.mass[k];
+            let slope = first / 2.0;
+            let bend = (second - self.mass[k] / 12.0) / 2.0;
+            weights[k] -= self.mass[k];
+            weights[middle] += self.mass[k] - 2.0 * bend;
+            weights[middle - 1] += bend - slope;
+            weights[middle + 1] += bend + slope;
+            k += 1;
+        }
+        weights
+    }
+
+    /// Two bins: the straight line with their averages.
+    const fn line(&self) -> [f64; M] {
+        // s0 + (s1 - s0) p, with p counted from the centre of the first bin.
+        let mut weights = self.mass;
+        let lever = self.first[0] + self.first[1] + self.mass[1];
+        weights[0] = self.mass[0] + self.mass[1] - lever;
+        weights[1] = lever;
+        weights
+    }
+
+    /// The histospline: with m the second derivative of the cumulative at the inner edges,
+    /// m[i-1] + 4 m[i] + m[i+1] = 6 (s[i] - s[i-1]), and m = 0 at both ends. The response is
+    /// `mass . s + g . m`, so its weights are `mass + 6 D' T^-1 g`: one solve, transposed.
+    const fn spline(&self) -> [f64; M] {
+        // g at the edge below bin i, for i in 1..M.
+        let mut g = [0.0; M];
+        let mut i = 1;
+        while i < M {
+            g[i] = self.below(i - 1) + self.above(i);
+            i += 1;
+        }
+        // T is symmetric: eliminate upwards, then substitute back.
+        let mut pivot = [4.0; M];
+        i = 2;
+        while i < M {
+            let factor = 1.0 / pivot[i - 1];
+            pivot[i] -= factor;
+            g[i] -= factor * g[i - 1];
+            i += 1;
+        }
+        i = M;
+        while i > 1 {
+            i -= 1;
+            let next = if i + 1 < M { g[i + 1] } else { 0.0 };
+            g[i] = (g[i] - next) / pivot[i];
+        }
+        let mut weights = self.mass;
+        i = 1;
+        while i < M {
+            weights[i] += 6.0 * g[i];
+            weights[i - 1] -= 6.0 * g[i];
+            i += 1;
+        }
+        weights
+    }
+
+    /// The part of `m` at a bin's upper edge: (u^2)/2 - 1/6 with u = t + 1/2.
+    const fn below(&self, k: usize) -> f64 {
+        self.second[k] / 2.0 + self.first[k] / 2.0 - self.mass[k] / 24.0
+    }
+
+    /// The part of `m` at a bin's lower edge: 1/6 - (1 - u)^2/2.
+    const fn above(&self, k: usize) -> f64 {
+        -self.second[k] / 2.0 + self.first[k] / 2.0 + self.mass[k] / 24.0
+    }
+}
+
+/// A wavelength counted in bins from the start of the coarse grid.
+const fn bins_from_start<const M: usize, H: Grid>(nm: f64) -> f64 {
+    (nm - Layout::<H, M>::START) / Layout::<H, M>::WIDTH
+}

@@ -1,0 +1,50 @@
+//! Spectral lines: lasers and lamps whose power sits at one wavelength.
+
+use crate::grid::{Grid, Layout};
+use crate::spectrum::{Power, Spectrum};
+
+impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
+    /// Adds a line of `power` (W, for a spectrum in W/nm) at `nm`, and returns the power that fell
+    /// outside the grid: 0, or all of it, or half.
+    ///
+    /// A line exactly on the edge between two bins gives half to each, so the order in which
+    /// lines are added does not matter; on an outer edge half is lost.
+    ///
+    /// ```
+    /// # use nanospectra::Light;
+    /// let mut sodium = Light::<35>::flat(0.0);
+    /// let lost = sodium.add_line(589.0, 1.0) + sodium.add_line(589.6, 0.5);
+    /// assert_eq!((sodium.power(), lost), (1.5, 0.0));
+    /// ```
+    pub fn add_line(&mut self, nm: f32, power: f32) -> f32 {
+        if nm.is_nan() {
+            return power;
+        }
+        // The nearest edge at or below; division may be off by one beside an edge.
+        let mut k = ((nm - Layout::<G, N>::START as f32) / Self::WIDTH_NM) as usize;
+        if k > 0 && nm < Self::edge_nm(k) {
+            k -= 1;
+        }
+        if k < N && nm >= Self::edge_nm(k + 1) {
+            k += 1;
+        }
+        if nm < Self::edge_nm(0) || nm > Self::edge_nm(N) {
+            return power;
+        }
+        let density = power / Self::WIDTH_NM;
+        if nm > Self::edge_nm(k) {
+            if let Some(bin) = self.0.get_mut(k) {
+                *bin += density;
+            }
+            return 0.0;
+        }
+        let mut lost = power;
+        for bin in [k.checked_sub(1), Some(k)].into_iter().flatten() {
+            if let Some(bin) = self.0.get_mut(bin) {
+                *bin += density * 0.5;
+                lost -= power * 0.5;
+            }
+        }
+        lost
+    }
+}

@@ -1,0 +1,18 @@
+//! A spectrum as N numbers: the type, and the ways to make one.
+
+mod arithmetic;
+#[cfg(feature = "heapless")]
+mod collect;
+mod interpolate;
+mod lines;
+mod quantity;
+mod resample;
+mod samples;
+mod series;
+
+#[cfg(feature = "heapless")]
+pub use collect::{PushError, Samples};
+pub use interpolate::Interpolation;
+pub use quantity::{Factor, Power, Quantity};
+pub use samples::{Outside, SamplesError};
+pub use series::{Fine, Light, Reflectance, Spectrum};

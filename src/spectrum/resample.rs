@@ -1,0 +1,51 @@
+//! From one grid of bins to another, keeping the power.
+
+use crate::grid::Grid;
+use crate::spectrum::{Outside, Spectrum};
+
+impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+    /// The averages over the bins of another grid, each bin here taken as constant: power over
+    /// any range that both grids tile is conserved.
+    ///
+    /// What the new grid has beyond this one follows `outside`. The target is named by the
+    /// caller: `light.resample::<31, Bins<400, 700>>(Outside::Zero)`.
+    ///
+    /// # Accuracy
+    /// The same grid gives the same bits, a constant stays exactly constant; power is conserved
+    /// within 5e-7.
+    #[must_use]
+    pub fn resample<const M: usize, H: Grid>(&self, outside: Outside) -> Spectrum<Q, M, H> {
+        let mut values = [0.0; M];
+        let mut k = 0;
+        for (j, value) in values.iter_mut().enumerate() {
+            let low = Spectrum::<Q, M, H>::edge_nm(j);
+            let high = Spectrum::<Q, M, H>::edge_nm(j + 1);
+            while k < N && Self::edge_nm(k + 1) <= low {
+                k += 1;
+            }
+            *value = self.average(k, low, high, outside);
+        }
+        Spectrum::from_bins(values)
+    }
+
+    /// The average over `low..high`, where `k` is the first bin that ends above `low`. Summed as
+    /// deviations from the first piece, so that a constant stays exactly that.
+    fn average(&self, mut k: usize, low: f32, high: f32, outside: Outside) -> f32 {
+        let (mut from, mut first, mut sum) = (low, None, 0.0);
+        while from < high {
+            let (to, value) = if from < Self::edge_nm(0) {
+                (Self::edge_nm(0), outside.beyond(self.0.first().copied().unwrap_or(0.0)))
+            } else if let Some(value) = self.0.get(k) {
+                k += 1;
+                (Self::edge_nm(k), *value)
+            } else {
+                (high, outside.beyond(self.0.last().copied().unwrap_or(0.0)))
+            };
+            let to = if to < high { to } else { high };
+            let reference = *first.get_or_insert(value);
+            sum += (to - from) * (value - reference);
+            from = to;
+        }
+        first.unwrap_or(0.0) + sum / (high - low)
+    }
+}

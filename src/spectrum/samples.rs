@@ -1,0 +1,222 @@
+//! Measured samples, (wavelength in nm, value), at any spacing, onto a grid.
+
+use crate::grid::Grid;
+use crate::spectrum::Spectrum;
+use crate::spectrum::interpolate::{Interpolation, Place};
+use core::fmt;
+
+/// What a spectrum is where there are no samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outside {
+    /// Nothing: the choice for lights.
+    Zero,
+    /// What the nearest sample says: the choice for reflectances.
+    Hold,
+}
+
+/// Why samples are not a spectrum. `index` counts samples from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SamplesError {
+    /// Fewer samples than the interpolation needs: 2, or 6 for Sprague's.
+    TooFew {
+        /// How many are needed.
+        needed: usize,
+    },
+    /// A wavelength or value is NaN or infinite.
+    NotFinite {
+        /// The offending sample.
+        index: usize,
+    },
+    /// A wavelength is not above the one before it: unsorted, or twice the same.
+    NotIncreasing {
+        /// The offending sample.
+        index: usize,
+    },
+    /// Sprague's interpolation needs one spacing throughout.
+    NotRegular {
+        /// The first sample that is more than 1 % of a step off the regular spacing.
+        index: usize,
+    },
+}
+
+impl fmt::Display for SamplesError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFew { needed } => write!(f, "fewer than {needed} samples"),
+            Self::NotFinite { index } => write!(f, "sample {index} is not a finite number"),
+            Self::NotIncreasing { index } => {
+                write!(f, "the wavelength of sample {index} is not above the one before it")
+            }
+            Self::NotRegular { index } => {
+                write!(f, "sample {index} is off the regular spacing that Sprague interpolation needs")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SamplesError {}
+
+impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+    /// The average over each bin of the straight lines that join the samples: the exact
+    /// integral, whether there are hundreds of samples in a bin or one in ten bins.
+    ///
+    /// `samples` are (wavelength in nm, value), in increasing order, at any spacing; `outside`
+    /// says what lies beyond the first and the last.
+    ///
+    /// # Accuracy
+    /// A constant comes out as exactly that constant, at every `N`; otherwise within 2e-6 of the
+    /// largest sample (measured 4e-7 with 300 samples in a bin).
+    ///
+    /// # Errors
+    /// [`SamplesError`]: fewer than two, not finite, not increasing. Nothing is sorted or dropped.
+    pub fn from_samples(samples: &[(f32, f32)], outside: Outside) -> Result<Self, SamplesError> {
+        check(samples)?;
+        let mut lines = Lines { samples, outside, next: 0 };
+        let mut averages = [0.0; N];
+        for (k, average) in averages.iter_mut().enumerate() {
+            *average = lines.average(Self::edge_nm(k), Self::edge_nm(k + 1));
+        }
+        Ok(Self::from_bins(averages))
+    }
+
+    /// The value at the centre of each bin, interpolated between samples.
+    ///
+    /// On the [`Fine`](crate::Fine) grid this is the CIE's rule for measured samples:
+    /// interpolate to 1 nm, then sum. (To put samples into wide bins use
+    /// [`from_samples`](Self::from_samples): points miss what lies between them.)
+    ///
+    /// # Errors
+    /// [`SamplesError`]: as [`from_samples`](Self::from_samples); Sprague's interpolation also
+    /// needs six samples at one spacing.
+    pub fn interpolated(
+        samples: &[(f32, f32)],
+        by: Interpolation,
+        outside: Outside,
+    ) -> Result<Self, SamplesError> {
+        check(samples)?;
+        let mut values = [0.0; N];
+        match by {
+            Interpolation::Linear => {
+                let mut lines = Lines { samples, outside, next: 0 };
+                for (k, value) in values.iter_mut().enumerate() {
+                    *value = lines.at(Self::centre_nm(k));
+                }
+            }
+            Interpolation::Sprague => {
+                let step = regular_step(samples)?;
+                let (first, last) = ends(samples);
+                for (k, value) in values.iter_mut().enumerate() {
+                    let nm = Self::centre_nm(k);
+                    *value = if nm < first.0 {
+                        outside.beyond(first.1)
+                    } else if nm > last.0 {
+                        outside.beyond(last.1)
+                    } else {
+                        regular(samples, &Place::of(nm - first.0, step, samples.len(), by))
+                    };
+                }
+            }
+        }
+        Ok(Self::from_bins(values))
+    }
+}
+
+impl Outside {
+    /// The value beyond an end whose last value is `end`.
+    pub(crate) const fn beyond(self, end: f32) -> f32 {
+        match self {
+            Outside::Zero => 0.0,
+            Outside::Hold => end,
+        }
+    }
+}
+
+fn check(samples: &[(f32, f32)]) -> Result<(), SamplesError> {
+    if samples.len() < 2 {
+        return Err(SamplesError::TooFew { needed: 2 });
+    }
+    let mut before = f32::NEG_INFINITY;
+    for (index, (nm, value)) in samples.iter().enumerate() {
+        if !nm.is_finite() || !value.is_finite() {
+            return Err(SamplesError::NotFinite { index });
+        }
+        if *nm <= before {
+            return Err(SamplesError::NotIncreasing { index });
+        }
+        before = *nm;
+    }
+    Ok(())
+}
+
+/// First and last sample; `check` has seen that there are two.
+fn ends(samples: &[(f32, f32)]) -> ((f32, f32), (f32, f32)) {
+    match samples {
+        [first, .., last] => (*first, *last),
+        _ => ((0.0, 0.0), (0.0, 0.0)),
+    }
+}
+
+fn regular_step(samples: &[(f32, f32)]) -> Result<f32, SamplesError> {
+    if samples.len() < 6 {
+        return Err(SamplesError::TooFew { needed: 6 });
+    }
+    let (first, last) = ends(samples);
+    let step = (last.0 - first.0) / (samples.len() - 1) as f32;
+    for (index, (nm, _)) in samples.iter().enumerate() {
+        if (nm - (first.0 + index as f32 * step)).abs() > 0.01 * step {
+            return Err(SamplesError::NotRegular { index });
+        }
+    }
+    Ok(step)
+}
+
+/// The value at a place among regular samples.
+fn regular(samples: &[(f32, f32)], place: &Place) -> f32 {
+    let reference = samples.get(place.reference).map_or(0.0, |s| s.1);
+    let near = samples.iter().skip(place.start).zip(&place.weights);
+    reference + near.map(|(sample, weight)| weight * (sample.1 - reference)).sum::<f32>()
+}
+
+/// The straight lines that join the samples, read from short to long wavelengths.
+struct Lines<'a> {
+    samples: &'a [(f32, f32)],
+    outside: Outside,
+    /// The first sample above the wavelength last asked for.
+    next: usize,
+}
+
+impl Lines<'_> {
+    /// The value at `nm`, which must not be below the one asked for before.
+    fn at(&mut self, nm: f32) -> f32 {
+        while self.samples.get(self.next).is_some_and(|s| s.0 <= nm) {
+            self.next += 1;
+        }
+        let below = self.next.checked_sub(1).and_then(|i| self.samples.get(i));
+        match (below, self.samples.get(self.next)) {
+            (Some(a), Some(b)) => a.1 + (b.1 - a.1) * ((nm - a.0) / (b.0 - a.0)),
+            // At the very last sample it is still inside.
+            (Some(a), None) if a.0 == nm => a.1,
+            (Some(end), None) | (None, Some(end)) => self.outside.beyond(end.1),
+            (None, None) => 0.0,
+        }
+    }
+
+    /// The average over `low..high`, summed as deviations from the first piece: what is constant
+    /// stays exactly so, and rounding is relative to what varies.
+    fn average(&mut self, low: f32, high: f32) -> f32 {
+        let (mut from, mut first, mut sum) = (low, None, 0.0);
+        while from < high {
+            // Put `next` above `from`, then read the middle of the piece: a straight line's mean.
+            self.at(from);
+            let to = self.samples.get(self.next).map_or(high, |s| s.0.min(high));
+            let middle = self.at(from + (to - from) / 2.0);
+            let reference = *first.get_or_insert(middle);
+            sum += (to - from) * (middle - reference);
+            from = to;
+        }
+        first.unwrap_or(0.0) + sum / (high - low)
+    }
+}

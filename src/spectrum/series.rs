@@ -1,0 +1,174 @@
+//! The one type: N numbers, what they mean, and where they lie.
+
+use crate::grid::{Bins, Grid, Layout, Nodes};
+use crate::spectrum::{Factor, Power};
+use core::marker::PhantomData;
+
+/// A spectrum: `N` equal bins that tile the grid `G`, each holding the *average* of the quantity
+/// `Q` over its bin.
+///
+/// With averages power is the plain sum times the bin width, a constant stays exactly that
+/// constant, and a laser line keeps its power at every `N`. (Point samples are the trap: 31
+/// points over 400..700 nm are up to 7 CIEDE2000 off under fluorescent lamps.) On a 1 nm grid of
+/// whole nanometres, as CIE tables are, the numbers are the table's point values.
+///
+/// `N * 4` bytes, nothing else; `Copy`, but pass it by reference.
+///
+/// ```
+/// # use nanospectra::{Light, Outside};
+/// let lamp = [(400.0, 1.0), (500.0, 3.0), (700.0, 1.0)];
+/// let light = Light::<16>::from_samples(&lamp, Outside::Zero)?;
+/// // The area under the three points: 100 * 2 + 200 * 2.
+/// assert!((light.power() - 600.0).abs() < 1e-3);
+/// # Ok::<(), nanospectra::SamplesError>(())
+/// ```
+#[repr(transparent)]
+pub struct Spectrum<Q, const N: usize, G = Bins<380, 730>>(pub(crate) [f32; N], PhantomData<(Q, G)>);
+
+/// Power of light for each nanometre.
+pub type Light<const N: usize, G = Bins<380, 730>> = Spectrum<Power, N, G>;
+
+/// Reflectance, transmittance: a share 0..=1 of the light.
+pub type Reflectance<const N: usize, G = Bins<380, 730>> = Spectrum<Factor, N, G>;
+
+/// Point values at 360, 361, .. 830 nm: the grid on which CIE sums are defined.
+pub type Fine<Q> = Spectrum<Q, 471, Nodes<360, 830>>;
+
+impl<Q, const N: usize, G> Clone for Spectrum<Q, N, G> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Q, const N: usize, G> Copy for Spectrum<Q, N, G> {}
+
+impl<Q, const N: usize, G> PartialEq for Spectrum<Q, N, G> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
+
+impl<Q, const N: usize, G> core::fmt::Debug for Spectrum<Q, N, G> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_tuple("Spectrum").field(&self.0).finish()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<Q, const N: usize, G> defmt::Format for Spectrum<Q, N, G> {
+    fn format(&self, fmt: defmt::Formatter<'_>) {
+        defmt::write!(fmt, "Spectrum({=[f32]})", self.0.as_slice());
+    }
+}
+
+impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+    /// Width of a bin, in nm.
+    pub const WIDTH_NM: f32 = Layout::<G, N>::STEP;
+
+    /// From numbers that are already averages over the bins: pixels of an instrument, a table on
+    /// this very grid.
+    ///
+    /// The grid is not inferred from the numbers: write `Light::<16>::from_bins(..)`.
+    #[must_use]
+    pub const fn from_bins(values: [f32; N]) -> Self {
+        // Naming the width makes a bad grid fail here, when code is generated.
+        let _ = Self::WIDTH_NM;
+        Spectrum(values, PhantomData)
+    }
+
+    /// The same value in every bin: an equal-energy light, a grey filter.
+    #[must_use]
+    pub const fn flat(value: f32) -> Self {
+        Self::from_bins([value; N])
+    }
+
+    /// From a function of the wavelength in nm, read at the centre of each bin: for 1 nm grids.
+    #[must_use]
+    pub fn at_centres(mut value: impl FnMut(f32) -> f32) -> Self {
+        let mut values = [0.0; N];
+        for (k, v) in values.iter_mut().enumerate() {
+            *v = value(Self::centre_nm(k));
+        }
+        Self::from_bins(values)
+    }
+
+    /// From a smooth function of the wavelength in nm, averaged over each bin by three Gauss
+    /// points: exact for quintics, so wide bins of a black body are good to f32.
+    ///
+    /// ```
+    /// # use nanospectra::{Light, light::blackbody};
+    /// let tungsten = Light::<16>::averaged(|nm| blackbody(nm, 2856.0));
+    /// assert!(tungsten.values()[15] > tungsten.values()[0]);
+    /// ```
+    #[must_use]
+    pub fn averaged(mut value: impl FnMut(f32) -> f32) -> Self {
+        // The outer points lie sqrt(3/5) of half a bin from the centre; weights 5/18, 4/9, 5/18.
+        let outer = 0.387_298_33 * Self::WIDTH_NM;
+        Self::at_centres(|nm| {
+            let middle = value(nm);
+            let sides = (value(nm - outer) - middle) + (value(nm + outer) - middle);
+            middle + sides * (5.0 / 18.0)
+        })
+    }
+
+    /// The value of each bin.
+    #[must_use]
+    pub const fn values(&self) -> &[f32; N] {
+        &self.0
+    }
+
+    /// The value of each bin, to write to.
+    #[must_use]
+    pub const fn values_mut(&mut self) -> &mut [f32; N] {
+        &mut self.0
+    }
+
+    /// The lower edge of bin `k` (or the upper end, for `k = N`), in nm.
+    #[must_use]
+    pub const fn edge_nm(k: usize) -> f32 {
+        Layout::<G, N>::edge(k)
+    }
+
+    /// The centre of bin `k`, in nm.
+    #[must_use]
+    pub const fn centre_nm(k: usize) -> f32 {
+        Layout::<G, N>::centre(k)
+    }
+
+    /// This spectrum where the centres of its bins lie in `from_nm..=to_nm`, zero elsewhere.
+    #[must_use]
+    pub const fn within(&self, from_nm: f32, to_nm: f32) -> Self {
+        let mut values = self.0;
+        let mut k = 0;
+        while k < N {
+            let nm = Self::centre_nm(k);
+            if nm < from_nm || nm > to_nm {
+                values[k] = 0.0;
+            }
+            k += 1;
+        }
+        Self::from_bins(values)
+    }
+
+    /// Pairs of (centre of the bin in nm, value).
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (f32, f32)> + '_ {
+        self.0.iter().enumerate().map(|(k, value)| (Self::centre_nm(k), *value))
+    }
+
+    /// The largest value; NaN if there is one.
+    #[must_use]
+    pub fn peak(&self) -> f32 {
+        self.0.iter().fold(f32::NEG_INFINITY, |peak, v| if *v <= peak { peak } else { *v })
+    }
+}
+
+impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
+    /// All the power on the grid: the sum of the bins times their width. In W for W/nm.
+    ///
+    /// # Accuracy
+    /// 8 units of 2^-24, relative, for positive values.
+    #[must_use]
+    pub fn power(&self) -> f32 {
+        crate::observer::sum(&self.0) * Self::WIDTH_NM
+    }
+}

@@ -1,0 +1,84 @@
+//! CIECAM02 and its uniform space CAM02-UCS, which TM-30 measures in. Average surround.
+
+use super::linear::{Matrix3, apply, inverse};
+
+const CAT02: Matrix3 = [[0.7328, 0.4296, -0.1624], [-0.7036, 1.6975, 0.0061], [0.0030, 0.0136, 0.9834]];
+const HUNT_POINTER_ESTEVEZ: Matrix3 =
+    [[0.38971, 0.68898, -0.07868], [-0.22981, 1.18340, 0.04641], [0.0, 0.0, 1.0]];
+
+/// What the color is seen in; the white has Y = 100.
+#[derive(Clone, Copy, Debug)]
+pub struct Viewing {
+    pub white: [f64; 3],
+    /// Luminance of the adapting field, cd/m2.
+    pub la: f64,
+    /// Relative luminance of the background.
+    pub yb: f64,
+    /// Degree of adaptation, 0 to 1.
+    pub d: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct Ciecam02 {
+    pub lightness: f64,
+    pub chroma: f64,
+    pub hue_deg: f64,
+    pub saturation: f64,
+    pub brightness: f64,
+    pub colorfulness: f64,
+}
+
+/// The degree of adaptation the model computes for an average surround.
+pub fn degree_of_adaptation(la: f64) -> f64 {
+    1.0 - (-(la + 42.0) / 92.0).exp() / 3.6
+}
+
+pub fn ciecam02(xyz: [f64; 3], viewing: Viewing) -> Ciecam02 {
+    let Viewing { white, la, yb, d } = viewing;
+    let (c, nc) = (0.69, 1.0);
+    let k = 1.0 / (5.0 * la + 1.0);
+    let fl = 0.2 * k.powi(4) * 5.0 * la + 0.1 * (1.0 - k.powi(4)).powi(2) * (5.0 * la).cbrt();
+    let n = yb / white[1];
+    let z = 1.48 + n.sqrt();
+    let nbb = 0.725 * n.powf(-0.2);
+
+    let cone_white = apply(CAT02, white);
+    let compress = |xyz: [f64; 3]| -> [f64; 3] {
+        let cone = apply(CAT02, xyz);
+        let adapted = [0, 1, 2].map(|i| (d * white[1] / cone_white[i] + 1.0 - d) * cone[i]);
+        apply(HUNT_POINTER_ESTEVEZ, apply(inverse(CAT02), adapted)).map(|v| {
+            let p = (fl * v.abs() / 100.0).powf(0.42);
+            v.signum() * 400.0 * p / (27.13 + p) + 0.1
+        })
+    };
+    let achromatic = |[r, g, b]: [f64; 3]| (2.0 * r + g + b / 20.0 - 0.305) * nbb;
+
+    let [r, g, b] = compress(xyz);
+    let (red_green, yellow_blue) = (r - 12.0 * g / 11.0 + b / 11.0, (r + g - 2.0 * b) / 9.0);
+    let hue = yellow_blue.atan2(red_green);
+    let eccentricity = 0.25 * ((hue + 2.0).cos() + 3.8);
+    let white_response = achromatic(compress(white));
+    let lightness = 100.0 * (achromatic([r, g, b]) / white_response).powf(c * z);
+    let t =
+        50000.0 / 13.0 * nc * nbb * eccentricity * red_green.hypot(yellow_blue) / (r + g + 21.0 * b / 20.0);
+    let chroma = t.powf(0.9) * (lightness / 100.0).sqrt() * (1.64 - 0.29f64.powf(n)).powf(0.73);
+    let colorfulness = chroma * fl.powf(0.25);
+    let brightness = 4.0 / c * (lightness / 100.0).sqrt() * (white_response + 4.0) * fl.powf(0.25);
+    Ciecam02 {
+        lightness,
+        chroma,
+        hue_deg: hue.to_degrees().rem_euclid(360.0),
+        saturation: 100.0 * (colorfulness / brightness).sqrt(),
+        brightness,
+        colorfulness,
+    }
+}
+
+/// J', a', b' of CAM02-UCS.
+pub fn cam02_ucs(xyz: [f64; 3], viewing: Viewing) -> [f64; 3] {
+    let seen = ciecam02(xyz, viewing);
+    let j = 1.7 * seen.lightness / (1.0 + 0.007 * seen.lightness);
+    let m = (1.0 + 0.0228 * seen.colorfulness).ln() / 0.0228;
+    let (sin, cos) = seen.hue_deg.to_radians().sin_cos();
+    [j, m * cos, m * sin]
+}

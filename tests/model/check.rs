@@ -1,0 +1,82 @@
+//! Compares numbers with a golden, row by row, and counts what it compared.
+
+use super::csv::Row;
+
+/// Passes when `|got - expected| <= absolute + relative * |expected|`.
+pub struct Check {
+    what: &'static str,
+    absolute: f64,
+    relative: f64,
+    compared: usize,
+    /// Largest error in units of what is allowed, and where.
+    worst: f64,
+    worst_at: String,
+    failures: Vec<String>,
+}
+
+impl Check {
+    pub fn new(what: &'static str, absolute: f64, relative: f64) -> Check {
+        Check {
+            what,
+            absolute,
+            relative,
+            compared: 0,
+            worst: 0.0,
+            worst_at: String::new(),
+            failures: Vec::new(),
+        }
+    }
+
+    /// Compares with one cell of a golden.
+    pub fn cell(&mut self, row: Row<'_>, column: &str, got: f64) {
+        let expected = row.number(column);
+        self.value(&format!("{} {column}", row.place()), got, expected);
+    }
+
+    pub fn cells<const N: usize>(&mut self, row: Row<'_>, columns: [&str; N], got: [f64; N]) {
+        for (column, value) in columns.into_iter().zip(got) {
+            self.cell(row, column, value);
+        }
+    }
+
+    pub fn value(&mut self, place: &str, got: f64, expected: f64) {
+        self.compared += 1;
+        if got == expected || got.is_nan() && expected.is_nan() {
+            return;
+        }
+        let error = (got - expected).abs() / (self.absolute + self.relative * expected.abs());
+        if error > self.worst {
+            self.worst = error;
+            self.worst_at = place.to_string();
+        }
+        // written so that NaN fails too
+        if error.is_nan() || error > 1.0 {
+            self.failures.push(format!("{place}: got {got}, expected {expected}"));
+        }
+    }
+
+    /// As [`finish`](Check::finish), and fails too if less than half of the allowance was needed.
+    pub fn tight(self, expected: usize) {
+        let (what, worst) = (self.what, self.worst);
+        self.finish(expected);
+        assert!(worst >= 0.5, "{what}: the allowance is {:.1} times what is needed; lower it", 1.0 / worst);
+    }
+
+    /// Fails unless exactly `expected` numbers were compared and all were near enough.
+    pub fn finish(self, expected: usize) {
+        println!(
+            "{}: {} numbers, worst {:.3} of the allowed error at {}",
+            self.what, self.compared, self.worst, self.worst_at
+        );
+        let shown: Vec<&str> = self.failures.iter().take(20).map(String::as_str).collect();
+        assert!(
+            self.failures.is_empty(),
+            "{}: {} of {} numbers are off:\n{}",
+            self.what,
+            self.failures.len(),
+            self.compared,
+            shown.join("\n")
+        );
+        assert_eq!(self.compared, expected, "{}: numbers compared", self.what);
+    }
+}
