@@ -1,4 +1,70 @@
-//! Spectral colour maths for cores without an allocator.
+//! What light looks like, for a microcontroller, a web page or a renderer: spectral colour maths
+//! in fixed-size arrays, without std and without an allocator.
+//!
+//! ```
+//! use nanospectra::color::{Cct, Xyz};
+//! use nanospectra::observer::CIE_1931;
+//! use nanospectra::{Curve, Fine, Interpolation, Observer, Outside, Power, Reflectance, light};
+//!
+//! // A measured lamp, every 5 nm (here a table's), to its colour: interpolate to 1 nm, sum.
+//! let lamp: Fine<Power> = light::FL11.interpolate(Interpolation::Linear, Outside::Zero);
+//! let xyz = Xyz::from(CIE_1931.sees(&lamp));
+//! let Some(Cct::Near { cct_k, duv }) = xyz.uv1960().map(|uv| uv.cct()) else { return };
+//! assert!((cct_k - 3998.0).abs() < 8.0 && duv.abs() < 1e-3); // CIE 15: FL11, 4000 K
+//!
+//! // The same lamp folded into the eye: 192 bytes that read a reflectance of 16 numbers.
+//! static EYE: Observer<3, 16> = CIE_1931
+//!     .under(&light::FL11.interpolate(Interpolation::Linear, Outside::Zero))
+//!     .fold(Curve::Spline)
+//!     .with_white_y(100.0);
+//! let grey = Reflectance::flat(0.5);
+//! let [_, y, _] = EYE.sees(&grey);
+//! assert!((y - 50.0).abs() < 1e-4);
+//! ```
+//!
+//! # The one idea
+//!
+//! **Light that meets matter and then a sensor is a linear chain, and a chain that does not change
+//! is a small matrix.** [`Observer`] is that matrix. It is closed under
+//! [`through`](Observer::through), [`looking_at`](Observer::looking_at), [`under`](Observer::under)
+//! and [`mixed`](Observer::mixed), all `const fn`, and [`fold`](Observer::fold) brings it from the CIE's 1 nm to
+//! the few bins that a program can afford. 16 folded bins show surfaces better than 60 averages do without the fold.
+//!
+//! # The road
+//!
+//! A number enters as a measured sample and leaves as a colour. The modules are the stations:
+//!
+//! * [`Grid`]: where N bands lie. [`Bins`] between edges, [`Nodes`] centred on wavelengths.
+//! * [`Spectrum`]: N averages of [`Power`] or [`Factor`] on a grid, from samples, lines, tables.
+//! * [`light`]: where power comes from: the CIE illuminants, daylight, black bodies.
+//! * [`matter`]: what light meets: the standard test samples.
+//! * [`observer`]: what looks: eyes, cones, V(lambda), any C-channel sensor; the fold.
+//! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
+//! * [`radiometry`]: what it does: lumens, melanopic stimulation, photons.
+//! * [`math`]: the elementary functions, and the backends that provide them.
+//!
+//! # Conventions
+//!
+//! * Wavelengths are in nm. XYZ has Y = 100 for a perfect white surface and for relative lights, and Y in
+//!   lx, lm or cd/m2 through [`KM`](observer::KM) = 683.002 lm/W for absolute ones.
+//! * Measured samples: interpolate linearly to 1 nm (Sprague's way by name), sum over 360..=830 nm; outside the data
+//!   zero for lights, the end values for reflectances. The choice of interpolation moves xy by up to 3.4e-4.
+//! * CCT, Duv and CRI are on the CIE 1931 observer with c2 = 1.4388e-2 m K, TM-30 on CIE 1964 with its
+//!   CCT on 1931; [`light::blackbody`] uses today's constants. Duv is positive above the locus.
+//! * NaN in gives NaN out; nothing panics; a quantity that has no value is an enum or `None`, never a wrong number.
+//! * Values hold their accuracy between 1e-30 and 1e30; outside, products of f32 under- or overflow.
+//! * Every finite result has the same bits on every target (x86-64, Arm, RISC-V, WebAssembly), with every
+//!   feature. A feature adds an interface or speed and never changes a number.
+//!
+//! # Features
+//!
+//! `libm` (default): what needs exp, ln, pow or atan2 by its short name. `simd`: explicit vectors on hosts.
+//! `std`, `micromath`: more [`math`] backends. `heapless`: samples collected in fixed memory. `defmt`: logging.
+//!
+//! # Left out
+//!
+//! Files, text and plots (see `examples/colorimeter` for these); spectra whose size is known only at run time;
+//! f64 at run time; colour appearance beyond what TM-30 needs.
 #![no_std]
 #![deny(missing_docs, unsafe_code)]
 

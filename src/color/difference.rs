@@ -18,16 +18,25 @@ pub(super) struct Polar {
     pub(super) far: bool,
 }
 
-/// The chroma and hue difference of (a, b) pairs, from differences of coordinates rather than
-/// of chromas and angles: what two near colours share then cannot drown what they differ by.
-/// Swapping the colours changes signs, and nothing else.
-pub(super) fn polar([a1, b1]: [f32; 2], [a2, b2]: [f32; 2]) -> Polar {
+/// The chroma and hue difference of two colours whose a counts `stretch` times, from differences
+/// of coordinates rather than of chromas and angles: what two near colours share then cannot
+/// drown what they differ by. Swapping the colours changes signs, and nothing else.
+pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
+    let (a1, a2, da) = (stretch * x.a, stretch * y.a, stretch * (y.a - x.a));
+    let (b1, b2, db) = (x.b, y.b, y.b - x.b);
     let (c1, c2) = (sqrt(a1 * a1 + b1 * b1), sqrt(a2 * a2 + b2 * b2));
-    let (da, db) = (a2 - a1, b2 - b1);
     let sum = c1 + c2;
     let dc = if sum == 0.0 { 0.0 } else { ((a1 + a2) * da + (b1 + b2) * db) / sum };
     let dot = a1 * a2 + b1 * b2;
-    let cross = 0.5 * ((a1 + a2) * db - (b1 + b2) * da);
+    // Any colour on the line through both will do here; the one nearest to grey rounds least.
+    let (a, b) = if c1 < c2 {
+        (a1, b1)
+    } else if c2 < c1 {
+        (a2, b2)
+    } else {
+        (0.5 * (a1 + a2), 0.5 * (b1 + b2))
+    };
+    let cross = a * db - b * da;
     let far = dot <= 0.0;
     let dh = if far {
         // Beyond a right angle the cross product falls again (to nothing at 180 degrees).
@@ -77,13 +86,13 @@ pub fn hyab(x: Lab, y: Lab) -> f32 {
 /// not symmetric.
 ///
 /// # Accuracy
-/// 5e-7 relative.
+/// 4e-7 relative.
 ///
 /// # Reference
 /// CIE 116-1995.
 #[must_use]
 pub fn cie94(reference: Lab, sample: Lab, weights: Cie94) -> f32 {
-    let Polar { c1, dc, dh, .. } = polar([reference.a, reference.b], [sample.a, sample.b]);
+    let Polar { c1, dc, dh, .. } = polar(reference, sample, 1.0);
     let (k_l, k1, k2) = match weights {
         Cie94::GraphicArts => (1.0, 0.045, 0.015),
         Cie94::Textiles => (2.0, 0.048, 0.014),
@@ -95,7 +104,7 @@ pub fn cie94(reference: Lab, sample: Lab, weights: Cie94) -> f32 {
 /// perceptibility. The weights come from the `reference`, so it is not symmetric.
 ///
 /// # Accuracy
-/// 6e-7 relative, but for the formula's own steps at L\* = 16 and at hues of 164 and 345
+/// 5e-7 relative, but for the formula's own steps at L\* = 16 and at hues of 164 and 345
 /// degrees.
 ///
 /// # Reference
@@ -103,7 +112,7 @@ pub fn cie94(reference: Lab, sample: Lab, weights: Cie94) -> f32 {
 #[must_use]
 pub fn cmc(reference: Lab, sample: Lab, l: f32, c: f32) -> f32 {
     let Lab { l: l1, a, b } = reference;
-    let Polar { c1, dc, dh, .. } = polar([a, b], [sample.a, sample.b]);
+    let Polar { c1, dc, dh, .. } = polar(reference, sample, 1.0);
     let s_l = if l1 < 16.0 { 0.511 } else { 0.040_975 * l1 / (1.0 + 0.017_65 * l1) };
     let s_c = 0.0638 * c1 / (1.0 + 0.0131 * c1) + 0.638;
     let c4 = c1 * c1 * c1 * c1;

@@ -17,6 +17,7 @@ mod oklab;
 #[cfg(feature = "libm")]
 mod reference;
 mod rgb;
+mod rgb_space;
 #[cfg(feature = "libm")]
 mod tm30;
 pub mod transfer;
@@ -37,7 +38,8 @@ pub use luv::Luv;
 pub use oklab::Oklab;
 #[cfg(feature = "libm")]
 pub use reference::RenderingError;
-pub use rgb::{AcesCg, AdobeRgb, Bt2020, DisplayP3, EncodedRgb, Rgb, RgbSpace, Srgb};
+pub use rgb::{EncodedRgb, Rgb};
+pub use rgb_space::{AcesCg, AdobeRgb, Bt2020, DisplayP3, RgbSpace, Srgb};
 #[cfg(feature = "libm")]
 pub use tm30::{HueBin, Tm30, tm30};
 pub use xyz::{Uv1960, Uv1976, Xy, Xyz};

@@ -3,7 +3,7 @@
 //! Each is a type, so a program has only those it names. `decode` is from the code value to
 //! linear light and `encode` the way back; 1 is white, unless it says otherwise. Except for
 //! [`Pq`] they are odd: `encode(-x) == -encode(x)`, which keeps colours outside the gamut. NaN
-//! stays NaN, and no other finite number becomes NaN.
+//! stays NaN, and no finite number becomes NaN.
 
 #[cfg(feature = "libm")]
 use crate::math::Portable;
@@ -40,7 +40,7 @@ pub trait Transfer: Copy + 'static {
 /// 0.0031308, 0.04045).
 ///
 /// # Accuracy
-/// 1.2e-7 either way and 2.4e-7 there and back, on 0 to 1.
+/// Encoding is within 8e-8, decoding and the way there and back within 1.2e-7, on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Srgb;
@@ -51,18 +51,24 @@ impl Transfer for Srgb {
         if size <= 0.003_130_8 {
             return 12.92 * linear;
         }
-        (1.055 * M::powf(size, 1.0 / 2.4) - 0.055).copysign(linear)
+        // 1.055 p - 0.055, but exact for white
+        let p = M::powf(size, 1.0 / 2.4);
+        (p + 0.055 * (p - 1.0)).copysign(linear)
     }
     fn decode_with<M: Math>(code: f32) -> f32 {
         let size = code.abs();
         if size <= 0.040_45 {
             return code / 12.92;
         }
-        M::powf((size + 0.055) / 1.055, 2.4).copysign(code)
+        // (c + 0.055) / 1.055, with less rounding near white
+        M::powf(size + (1.0 - size) * (0.055 / 1.055), 2.4).copysign(code)
     }
 }
 
 /// BT.1886, the reference display of television with a black of zero: a pure power of 2.4.
+///
+/// # Accuracy
+/// 6e-8 either way on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bt1886;
@@ -77,6 +83,9 @@ impl Transfer for Bt1886 {
 }
 
 /// Adobe RGB (1998): a power of 2 + 51/256.
+///
+/// # Accuracy
+/// 7e-8 either way on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Adobe;
@@ -112,8 +121,8 @@ impl Transfer for Linear {
 ///
 /// # Accuracy
 /// The textbook form loses three digits to `p - c1` and `c2 - c3 p`, p being next to 1; here
-/// p - 1 is computed instead. Encoding is within 6e-7, decoding within 1e-6 of the value from 1e-4
-/// cd/m2 up (`tests/transfer.rs`).
+/// p - 1 is computed instead. Encoding is within 1.1e-7 absolute and 1.6e-6 relative, decoding
+/// within 7e-7 (7 millicandela) and 2.2e-6 relative from 1e-4 cd/m2 up (`tests/transfer.rs`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pq;
@@ -155,6 +164,9 @@ impl Transfer for Pq {
 
 /// HLG (ARIB STD-B67, BT.2100), the camera's function: linear 1 is the peak of the scene, and
 /// what a display makes of it (the OOTF) is not included.
+///
+/// # Accuracy
+/// Encoding is within 1e-7, decoding within 3e-7, on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hlg;

@@ -12,7 +12,7 @@ mod libm;
 mod micromath;
 mod roots;
 
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", not(target_os = "none")))]
 mod std;
 mod turns;
 
@@ -24,5 +24,5 @@ pub use turns::{cos as cos_turns, sin as sin_turns};
 pub use self::libm::{Libm, Portable};
 #[cfg(feature = "micromath")]
 pub use self::micromath::Micromath;
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", not(target_os = "none")))]
 pub use self::std::Std;

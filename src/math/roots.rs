@@ -56,7 +56,7 @@ fn sqrt_by_digits(x: f32) -> f32 {
     if rest != 0 {
         root += root & 1;
     }
-    f32::from_bits((root >> 1).wrapping_add(((exponent >> 1) + 126) as u32) << 23)
+    f32::from_bits((root >> 1).wrapping_add((((exponent >> 1) + 126) as u32) << 23))
 }
 
 /// Cube root, odd, of any finite `f32`.
@@ -73,9 +73,12 @@ pub fn cbrt(x: f32) -> f32 {
     if bits >= 0x7f80_0000 || bits == 0 {
         return x;
     }
-    // Subnormals are lifted by 2^24 and the root lowered by 2^8.
+    // Subnormals are lifted by 2^24 and the root lowered by 2^8; the largest the other way, since
+    // the step adds three cubes.
     let (size, scale) = if bits < 0x0080_0000 {
         (f32::from_bits(bits) * 16_777_216.0, 0.003_906_25)
+    } else if bits >= 0x7e00_0000 {
+        (f32::from_bits(bits) / 16_777_216.0, 256.0)
     } else {
         (f32::from_bits(bits), 1.0)
     };

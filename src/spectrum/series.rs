@@ -57,7 +57,7 @@ impl<Q, const N: usize, G> core::fmt::Debug for Spectrum<Q, N, G> {
 #[cfg(feature = "defmt")]
 impl<Q, const N: usize, G> defmt::Format for Spectrum<Q, N, G> {
     fn format(&self, fmt: defmt::Formatter<'_>) {
-        defmt::write!(fmt, "Spectrum({=[f32]})", self.0.as_slice());
+        defmt::write!(fmt, "Spectrum({})", self.0.as_slice());
     }
 }
 
