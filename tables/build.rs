@@ -47,8 +47,10 @@ const ILLUMINANTS: &[(&str, &str)] = &[
     ("LED_5nm", ""),
     ("LED_1nm", "_1NM"),
     ("L41_1nm", ""),
-    ("daylight_components_5nm", ""),
 ];
+
+/// What daylight is made of; no illuminants themselves.
+const DAYLIGHT: &str = "daylight_components_5nm";
 
 /// Sample sets: one static array for each file.
 const SAMPLES: &[(&str, &str, &str)] = &[
@@ -81,11 +83,14 @@ fn generate() -> Result<(), String> {
     }
     save(&out.join("observers.rs"), &text)?;
 
-    let mut text = String::new();
+    let (mut text, mut names) = (String::new(), String::new());
     for (file, suffix) in ILLUMINANTS {
         let table = Table::read(&tables.join("illuminants").join(file).with_extension("csv"))?;
-        illuminants(&mut text, suffix, &table);
+        illuminants(&mut text, &mut names, suffix, &table);
     }
+    let components = Table::read(&tables.join("illuminants").join(DAYLIGHT).with_extension("csv"))?;
+    illuminants(&mut text, &mut String::new(), "", &components);
+    text += &format!("by_name! {{\n{names}}}\n");
     save(&out.join("illuminants.rs"), &text)?;
 
     let mut text = String::new();
@@ -118,13 +123,15 @@ fn observer(text: &mut String, name: &str, rows: &str, table: &Table) -> Result<
     Ok(())
 }
 
-/// `pub static FL11: Spectrum<Power, 81, Nodes<380, 780>> = ..;` for each column.
-fn illuminants(text: &mut String, suffix: &str, table: &Table) {
+/// `pub static FL11: Spectrum<Power, 81, Nodes<380, 780>> = ..;` for each column, and its line in
+/// the list of names.
+fn illuminants(text: &mut String, names: &mut String, suffix: &str, table: &Table) {
     for (column, header) in table.columns.iter().zip(&table.names) {
         let name = header.replace(['-', '.'], "_") + suffix;
         let (grid, bands) = (table.grid(), column.len());
         let values = numbers(column);
         let _ = writeln!(text, "{}///\n/// This is {header}.", table.docs());
+        let _ = writeln!(names, "    \"{header}{suffix}\" => {name},");
         let _ = writeln!(text, "pub static {name}: Spectrum<Power, {bands}, {grid}> =");
         let _ = writeln!(text, "    Spectrum::from_bins({values});");
     }

@@ -1,6 +1,7 @@
 //! CIECAM02 to its uniform space CAM02-UCS, for the one viewing condition of TM-30.
 
-use crate::color::Xyz;
+use crate::color::matrix::{Matrix, apply, inverse64, product64, rounded};
+use crate::color::{Cat02, Cones, Xyz};
 use crate::math::{Math, Portable, cbrt, sqrt};
 
 /// Adapting luminance 100 cd/m2, background Y 20, average surround, complete adaptation.
@@ -38,18 +39,10 @@ pub(super) struct Viewing {
     colourfulness: f32,
 }
 
-const CAT02: [[f32; 3]; 3] = [[0.7328, 0.4296, -0.1624], [-0.7036, 1.6975, 0.0061], [0.0030, 0.0136, 0.9834]];
-
-/// Hunt-Pointer-Estevez after the inverse of CAT02, in f64 and rounded once.
-const HPE_FROM_CAT02: [[f32; 3]; 3] = [
-    [0.740_979_10, 0.218_025_16, 0.041_005_75],
-    [0.285_353_29, 0.624_201_57, 0.090_445_13],
-    [-0.009_627_61, -0.005_698_03, 1.015_325_64],
-];
-
-fn apply(m: &[[f32; 3]; 3], v: [f32; 3]) -> [f32; 3] {
-    m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
-}
+/// The cones of Hunt, Pointer and Estevez, in which responses are compressed.
+const HPE: [[f64; 3]; 3] = [[0.38971, 0.68898, -0.07868], [-0.22981, 1.18340, 0.04641], [0.0, 0.0, 1.0]];
+const CAT02: Matrix = rounded(&Cat02::FROM_XYZ);
+const HPE_FROM_CAT02: Matrix = rounded(&product64(&HPE, &inverse64(&Cat02::FROM_XYZ)));
 
 impl Viewing {
     /// For a white with Y = 100.

@@ -211,10 +211,10 @@ impl<const N: usize, Q: Quantity, G: Grid> Observer<3, N, Q, G> {
     /// [`under`](Observer::under) that is the perfect white: k = 100 / sum(S y-bar) in CIE 15,
     /// for `y` = 100.
     ///
-    /// An observer whose Y row sums to zero (no visible light) is returned as it is.
+    /// An observer whose Y row sums to zero or less (no visible light) is returned as it is.
     #[must_use]
     pub const fn with_white_y(&self, y: f64) -> Self {
         let white = self.row_sums()[1];
-        if white == 0.0 { *self } else { self.scaled(y / white) }
+        if white > 0.0 { self.scaled(y / white) } else { *self }
     }
 }
