@@ -1,0 +1,33 @@
+//! What stops the program: one line for a person, exit code 2.
+
+use std::fmt;
+
+/// One line: where, what is wrong, what to do.
+#[derive(Debug)]
+pub struct Failure(String);
+
+impl Failure {
+    /// A failure of `place`, which is a file, an option or a directory.
+    pub fn of(place: impl fmt::Display, what: impl fmt::Display) -> Self {
+        Failure(format!("{place}: {what}"))
+    }
+
+    /// A failure at a line of a file, counted from 1.
+    pub fn at(file: &str, line: usize, what: impl fmt::Display) -> Self {
+        Failure(format!("{file}:{line}: {what}"))
+    }
+}
+
+impl fmt::Display for Failure {
+    /// Stays one line, whatever file names and cells hold.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&printable(&self.0))
+    }
+}
+
+/// `text` with control characters spelled out: no line breaks, no terminal escapes.
+pub fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_control() { c.escape_default().to_string() } else { c.to_string() })
+        .collect()
+}

@@ -1,0 +1,570 @@
+//! The colorimeter example from outside: what it reads, prints, and refuses.
+
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::OnceLock;
+
+/// In the order of the documentation; more may follow.
+const KEYS: [&str; 21] = [
+    "name",
+    "XYZ",
+    "xy",
+    "uv1960",
+    "uv1976",
+    "cct_k",
+    "duv",
+    "lux",
+    "ler_lm_per_w",
+    "lab",
+    "srgb",
+    "hex",
+    "dominant_wavelength_nm",
+    "purity",
+    "cri_ra",
+    "cri_r",
+    "tm30_rf",
+    "tm30_rg",
+    "melanopic_edi_ratio",
+    "ppfd",
+    "notes",
+];
+
+struct Outcome {
+    code: Option<i32>,
+    out: String,
+    err: String,
+}
+
+/// Where cargo puts the example; built here, because `cargo test --test colorimeter` does not.
+fn binary() -> &'static Path {
+    static BINARY: OnceLock<PathBuf> = OnceLock::new();
+    BINARY.get_or_init(|| {
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
+        cargo.args(["build", "--quiet", "--example", "colorimeter", "--message-format=json"]);
+        if !cfg!(debug_assertions) {
+            cargo.arg("--release");
+        }
+        let built = cargo.stderr(Stdio::inherit()).output().expect("cargo runs");
+        assert!(built.status.success(), "the example does not build");
+        let messages = String::from_utf8(built.stdout).expect("cargo speaks UTF-8");
+        let artifacts = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+        let path = artifacts
+            .filter(|message| message["target"]["name"] == "colorimeter")
+            .find_map(|message| message["executable"].as_str().map(PathBuf::from));
+        path.expect("cargo names the executable")
+    })
+}
+
+fn run_with(input: &str, arguments: &[&str]) -> Outcome {
+    let mut child = Command::new(binary())
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the example runs");
+    // A program that refuses its options does not read.
+    let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
+    let output = child.wait_with_output().expect("the example ends");
+    let text = |bytes| String::from_utf8(bytes).expect("the report is UTF-8");
+    Outcome { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
+}
+
+fn run(arguments: &[&str]) -> Outcome {
+    run_with("", arguments)
+}
+
+/// Runs with `--json` and reads the objects.
+fn json_with(input: &str, arguments: &[&str]) -> Vec<Value> {
+    let outcome = run_with(input, &[&["--json"], arguments].concat());
+    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""), "{arguments:?}");
+    outcome.out.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
+}
+
+fn json(arguments: &[&str]) -> Vec<Value> {
+    json_with("", arguments)
+}
+
+/// The reading of one column of a file below `tables/`.
+fn table(file: &str, name: &str, arguments: &[&str]) -> Value {
+    let path = format!("tables/{file}.csv");
+    let readings = json(&[&[path.as_str()], arguments].concat());
+    readings.into_iter().find(|reading| reading["name"] == name).expect("the table has the column")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap_or_else(|| panic!("{value} is no array")).iter().map(number).collect()
+}
+
+fn assert_near(value: &Value, expected: f64, tolerance: f64) {
+    let found = number(value);
+    assert!((found - expected).abs() <= tolerance, "{found} is not {expected} within {tolerance}");
+}
+
+fn assert_all_near(value: &Value, expected: &[f64], tolerance: f64) {
+    let found = numbers(value);
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() <= tolerance, "{found} is not {expected} within {tolerance}");
+    }
+}
+
+fn notes(reading: &Value) -> Vec<&str> {
+    reading["notes"].as_array().expect("notes").iter().filter_map(Value::as_str).collect()
+}
+
+fn has_note(reading: &Value, key: &str, word: &str) -> bool {
+    let start = format!("{key}: ");
+    notes(reading).iter().any(|note| note.starts_with(&start) && note.contains(word))
+}
+
+/// A directory of this run's own below cargo's.
+fn scratch(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("colorimeter-{name}"));
+    let _ = fs::remove_dir_all(&directory);
+    fs::create_dir_all(&directory).expect("a scratch directory");
+    directory
+}
+
+#[test]
+fn without_files_it_reports_the_lamp_it_brings() {
+    let readings = json(&[]);
+    assert_eq!(readings.len(), 1);
+    // CIE L41 by an f64 model of the same rule.
+    assert_all_near(&readings[0]["XYZ"], &[100.890778, 100.0, 67.717730], 1e-4);
+    assert_near(&readings[0]["cct_k"], 4102.8048, 0.5);
+    assert_near(&readings[0]["duv"], -0.00065980, 1e-6);
+    assert_near(&readings[0]["ler_lm_per_w"], 316.208166, 3e-4);
+}
+
+#[test]
+fn keys_stand_in_order_and_every_null_has_a_note_with_its_key() {
+    let lamp = &json(&[])[0];
+    let surface = &json_with("400 0.1\n700 0.9\n", &["--reflectance", "-"])[0];
+    for reading in [lamp, surface] {
+        let keys: Vec<&str> = reading.as_object().expect("an object").keys().map(String::as_str).collect();
+        assert_eq!(keys[..KEYS.len()], KEYS);
+        for key in keys {
+            assert!(!reading[key].is_null() || has_note(reading, key, ""), "{key} is null without a note");
+        }
+    }
+    let nulls = |reading: &Value| KEYS.into_iter().filter(|key| reading[key].is_null()).collect::<Vec<_>>();
+    assert_eq!(nulls(lamp), ["lux", "lab", "ppfd"]);
+    assert!(has_note(lamp, "delta_e2000", "surface") && has_note(lamp, "srgb", "Y = 1"));
+    let of_the_light = [
+        "cct_k",
+        "duv",
+        "lux",
+        "ler_lm_per_w",
+        "cri_ra",
+        "cri_r",
+        "tm30_rf",
+        "tm30_rg",
+        "melanopic_edi_ratio",
+        "ppfd",
+    ];
+    assert_eq!(nulls(surface), of_the_light);
+    assert_eq!(surface["light"], "D65");
+    assert_eq!([&lamp["observer"], &lamp["interpolation"], &lamp["unit"]], ["1931", "linear", "relative"]);
+}
+
+/// X, Z (Y = 100), CCT, Duv, LER: an f64 model of the reference rule on the same tables.
+#[test]
+fn standard_illuminants_have_their_values() {
+    let expected = [
+        ("illuminants/D65_1nm", "D65", [95.0470559, 108.8828736], [6502.71210, 0.003205545], 184.1735541),
+        ("illuminants/A_1nm", "A", [109.8503153, 35.5849301], [2855.54269, 0.0], 122.6653775),
+        ("illuminants/FL_5nm", "FL11", [100.8994576, 64.2639988], [4000.72873, 0.000154698], 336.8016224),
+        ("illuminants/FL_5nm", "FL4", [109.1480781, 38.8131880], [2939.56655, -0.000740443], 370.3363184),
+        ("illuminants/LED_5nm", "LED-B3", [100.8618895, 67.6339401], [4102.49576, -0.000600741], 316.8680626),
+    ];
+    for (file, name, [x, z], [cct_k, duv], ler) in expected {
+        let reading = table(file, name, &[]);
+        assert_all_near(&reading["XYZ"], &[x, 100.0, z], 1e-4);
+        // 0.01 mired.
+        assert_near(&reading["cct_k"], cct_k, cct_k * cct_k * 1e-8);
+        assert_near(&reading["duv"], duv, 1e-6);
+        assert_near(&reading["ler_lm_per_w"], ler, ler * 1e-6);
+    }
+}
+
+/// goldens/03_cri.csv, 03_tm30.csv (1 nm by Sprague) and 07_photometry_sources.csv.
+#[test]
+fn rendering_and_the_melanopic_ratio_follow_the_goldens() {
+    let expected = [
+        ("illuminants/D65_1nm", "D65", [99.998897, 99.996847, 99.999875], 1.0),
+        ("illuminants/A_1nm", "A", [99.999954, 100.000051, 99.999934], 0.495745331),
+        ("illuminants/FL_5nm", "FL4", [51.352457, 56.699733, 83.490979], 0.314957209),
+    ];
+    for (file, name, [ra, rf, rg], ratio) in expected {
+        let reading = table(file, name, &["--interpolation", "sprague"]);
+        assert_near(&reading["cri_ra"], ra, 2e-3);
+        assert_near(&reading["tm30_rf"], rf, 2e-3);
+        assert_near(&reading["tm30_rg"], rg, 2e-3);
+        assert_near(&reading["melanopic_edi_ratio"], ratio, 1e-6);
+        assert_eq!(numbers(&reading["cri_r"]).len(), 15);
+    }
+}
+
+/// goldens/01_xyz_sources.csv: D65 by the 10 degree observer; what is defined for 2 degrees stays.
+#[test]
+fn another_observer_changes_the_chromaticity_but_not_the_colour_temperature() {
+    let wide = table("illuminants/D65_1nm", "D65", &["--observer", "1964"]);
+    let usual = table("illuminants/D65_1nm", "D65", &[]);
+    assert_all_near(&wide["XYZ"], &[94.8110600624, 100.0, 107.304669543], 1e-4);
+    assert_all_near(&wide["xy"], &[0.313823646939, 0.33099898549], 1e-6);
+    for key in ["cct_k", "duv", "cri_ra", "tm30_rf", "ler_lm_per_w"] {
+        assert_eq!(wide[key], usual[key]);
+    }
+    assert!(has_note(&wide, "observer", "1931"));
+    for observer in ["2015-2", "2015-10"] {
+        assert_eq!(table("illuminants/D65_1nm", "D65", &["--observer", observer])["observer"], observer);
+    }
+}
+
+/// goldens/04_reflectance_colorimetry.csv: test colour sample 1, everything by Sprague.
+#[test]
+fn a_surface_has_the_colours_of_the_goldens() {
+    let expected = [
+        (
+            "D65",
+            [32.9934740625, 29.7837492677, 24.5129039112],
+            [61.4671856, 17.4881313, 11.8964803],
+            [0.72815864, 0.53624894, 0.50291716],
+        ),
+        (
+            "A",
+            [42.343049605, 32.7126226392, 7.970592307],
+            [63.9275395, 19.3692905, 16.3447383],
+            [0.75618515, 0.54562873, 0.49955131],
+        ),
+        (
+            "FL11",
+            [37.0655756901, 31.0878185072, 14.5778815321],
+            [62.5816973, 19.3038507, 13.5673479],
+            [0.74150729, 0.53944372, 0.50382517],
+        ),
+    ];
+    for (light, xyz, lab, srgb) in expected {
+        let options = ["--reflectance", "--light", light, "--interpolation", "sprague"];
+        let reading = table("samples/cri_tcs14_5nm", "TCS01", &options);
+        assert_all_near(&reading["XYZ"], &xyz, 5e-5);
+        assert_all_near(&reading["lab"], &lab, 2e-4);
+        assert_all_near(&reading["srgb"], &srgb, 4e-6);
+        assert_eq!(reading["light"], light);
+    }
+}
+
+#[test]
+fn perfect_white_is_white_under_every_light_and_observer() {
+    for light in ["D65", "a", "fl3.1", "LED-B1", "E", "HP1", "FL11_1nm"] {
+        for observer in ["1931", "1964", "2015-2", "2015-10"] {
+            let options = ["--reflectance", "--light", light, "--observer", observer, "-"];
+            let reading = &json_with("400,1\n700,1\n", &options)[0];
+            assert_near(&reading["XYZ"][1], 100.0, 1e-4);
+            assert_all_near(&reading["lab"], &[100.0, 0.0, 0.0], 2e-4);
+            assert_near(&reading["delta_e2000"], 0.0, 3e-4);
+            assert_eq!(reading["hex"], "#ffffff", "{light} {observer}");
+            assert!(reading["dominant_wavelength_nm"].is_null());
+        }
+    }
+}
+
+#[test]
+fn black_is_a_colour_of_surfaces() {
+    let reading = &json_with("400,0\n700,0\n", &["--reflectance", "-"])[0];
+    assert_all_near(&reading["lab"], &[0.0, 0.0, 0.0], 0.0);
+    assert_eq!(reading["hex"], "#000000");
+    assert!(reading["xy"].is_null() && has_note(reading, "xy", "black"));
+    assert_near(&reading["delta_e2000"], 100.0, 1e-4);
+}
+
+#[test]
+fn a_light_may_come_from_a_file() {
+    let file = "tables/illuminants/A_1nm.csv";
+    let by_file = &json_with("400 .2\n700 .8\n", &["--reflectance", "--light", file, "-"])[0];
+    let by_name = &json_with("400 .2\n700 .8\n", &["--reflectance", "--light", "A", "-"])[0];
+    assert_eq!(by_file["XYZ"], by_name["XYZ"]);
+    assert_eq!(by_file["light"], "A");
+}
+
+#[test]
+fn absolute_input_has_lux_and_photons() {
+    let flat = "360 0.01\n830 0.01\n";
+    let reading = &json_with(flat, &["--unit", "absolute", "-"])[0];
+    // 683.002 times 0.01 times the sum of V(lambda), 106.856895 (CIE 018).
+    assert_near(&reading["lux"], 729.83473, 1e-3);
+    assert_near(&reading["XYZ"][1], 729.83473, 1e-3);
+    // Sum of the wavelengths 400..=700 over h c N_A.
+    assert_near(&reading["ppfd"], 0.01 * 550.0 * 301.0 / 119.626_565_8, 1e-4);
+    assert_eq!(reading["unit"], "absolute");
+}
+
+#[test]
+fn strength_changes_nothing_but_the_absolute_numbers() {
+    let scaled = |power: &str| {
+        format!("400 1{power}\n450 5{power}\n500 2{power}\n550 3{power}\n600 4{power}\n700 1{power}\n")
+    };
+    let usual = &json_with(&scaled("e0"), &["--unit", "absolute", "-"])[0];
+    for (power, factor) in [("e-300", 1e-300), ("e-40", 1e-40), ("e12", 1e12), ("e290", 1e290)] {
+        let reading = &json_with(&scaled(power), &["--unit", "absolute", "-"])[0];
+        assert_near(&reading["lux"], number(&usual["lux"]) * factor, number(&usual["lux"]) * factor * 1e-6);
+        for key in ["cct_k", "cri_ra", "tm30_rg", "ler_lm_per_w", "melanopic_edi_ratio"] {
+            assert_near(&reading[key], number(&usual[key]), number(&usual[key]) * 2e-6);
+        }
+    }
+}
+
+#[test]
+fn separators_line_ends_and_comments_make_no_difference() {
+    let wanted = &json_with("nm,lamp\n400,1\n500,2.5\n700,0.5\n", &["-"])[0];
+    let variants = [
+        "nm;lamp\n400;1\n500;2.5\n700;0.5\n",
+        "nm\tlamp\n400\t1\n500\t2.5\n700\t0.5",
+        "nm lamp\n  400   1\n500 2.5\n700\t0.5\n",
+        "nm,lamp\r\n400,1\r\n500,2.5\r\n700,0.5\r\n",
+        "\u{feff}nm,lamp\n400,1\n500,2.5\n700,0.5\n",
+        "# a lamp, measured\n\nnm, \"lamp\"\n# here it begins\n400 , 1\n\n5e2 , 25E-1\n7.0e+2 , .5\n",
+        "\"wave length\"   lamp\n400 1\n500 2.5\n700 .5\n",
+        "\"nm\"\t \"lamp\" \n400\t1\n500\t2.5\n700\t.5\n",
+        "\"nm\",\"lamp\"\n\"400\",\"1\"\n\"500\",\"2.5\"\n\"700\",\"0.5\"\n",
+    ];
+    for variant in variants {
+        assert_eq!(&json_with(variant, &["-"])[0], wanted, "{variant:?}");
+    }
+}
+
+#[test]
+fn spectra_are_named_by_the_heading_or_else_by_the_file() {
+    let names = |input: &str, arguments: &[&str]| -> Vec<String> {
+        json_with(input, arguments).iter().map(|r| r["name"].as_str().unwrap_or("").to_owned()).collect()
+    };
+    assert_eq!(names("nm,\"a, b\",\"say \"\"c\"\"\"\n400,1,2\n500,1,2\n", &["-"]), ["a, b", "say \"c\""]);
+    assert_eq!(names("nm;a b;\n400;1;2\n500;1;2\n", &["-"]), ["a b", "stdin:2"]);
+    assert_eq!(names("400 1 2\n500 1 2\n", &["-"]), ["stdin:1", "stdin:2"]);
+    assert_eq!(names("400 1\n500 2\n", &["-"]), ["stdin"]);
+    let directory = scratch("names");
+    let (one, two) = (directory.join("lamp.one.csv"), directory.join("two.txt"));
+    fs::write(&one, "400 1\n500 1\n").expect("written");
+    fs::write(&two, "400 1 1\n500 1 2\n").expect("written");
+    let files = [one.to_str().expect("UTF-8"), two.to_str().expect("UTF-8")];
+    assert_eq!(names("", &files), ["lamp.one", "two:1", "two:2"]);
+}
+
+#[test]
+fn notes_say_how_the_samples_were_used() {
+    let reading = |input: &str| json_with(input, &["-"]).remove(0);
+    assert!(has_note(&reading("400 1\n700 1\n"), "data", "400..700 nm; what is outside counts as zero"));
+    assert!(has_note(&reading("300 1\n500 1\n900 1\n"), "data", "2 samples outside 360..830"));
+    assert!(has_note(&reading("400 1\n500 -0.5\n600 3\n"), "data", "1 negative"));
+    // 499.9 is read for 499 nm, 500.1 for 500 and 501, 500.3 and 500.5 by none, 500.7 for 501.
+    let fine = reading("499.9 1\n500.1 1\n500.3 1\n500.5 1\n500.7 1\n501.2 1\n");
+    assert!(has_note(&fine, "data", "2 of 6 samples"), "{:?}", notes(&fine));
+    assert!(notes(&table("illuminants/L41_1nm", "L41", &[])).iter().all(|note| !note.starts_with("data")));
+}
+
+#[test]
+fn what_is_no_white_has_no_colour_temperature() {
+    let green = &json_with("nm,laser\n531,0\n532,1\n533,0\n", &["-"])[0];
+    for key in ["cct_k", "duv", "cri_ra", "cri_r", "tm30_rf", "tm30_rg"] {
+        assert!(green[key].is_null() && has_note(green, key, ""), "{key}");
+    }
+    assert_near(&green["dominant_wavelength_nm"], 532.0, 0.01);
+    assert_near(&green["purity"], 1.0, 1e-5);
+    let magenta = &json_with("440 1\n450 0\n640 0\n650 1\n", &["-"])[0];
+    assert!(number(&magenta["dominant_wavelength_nm"]) < 0.0);
+}
+
+#[test]
+fn a_comparison_is_this_minus_the_other() {
+    let warm = ["tables/illuminants/A_1nm.csv", "--compare", "tables/illuminants/D65_1nm.csv"];
+    let difference = &json(&warm)[0]["compare"];
+    assert_eq!(difference["to"], "D65");
+    assert_near(&difference["delta_cct_k"], 2855.5427 - 6502.7121, 0.5);
+    assert_all_near(&difference["delta_xy"], &[0.447573514 - 0.312726871, 0.407439444 - 0.329023207], 1e-6);
+    assert_near(&difference["delta_duv"], -0.003205545, 1e-6);
+    let same = ["tables/illuminants/A_1nm.csv", "--compare", "tables/illuminants/A_1nm.csv"];
+    let nothing = &json(&same)[0]["compare"];
+    for (key, value) in
+        [("delta_uv1976", 0.0), ("delta_tm30_rf", 0.0), ("spectral_rms", 0.0), ("y_ratio", 1.0)]
+    {
+        assert_near(&nothing[key], value, 0.0);
+    }
+    let directory = scratch("compare");
+    let grey = directory.join("grey.csv");
+    fs::write(&grey, "400 0.4\n700 0.4\n").expect("written");
+    let options = ["--reflectance", "--compare", grey.to_str().expect("UTF-8"), "-"];
+    let surfaces = &json_with("400 0.5\n700 0.5\n", &options)[0]["compare"];
+    assert_near(&surfaces["y_ratio"], 1.25, 1e-6);
+    assert_near(&surfaces["spectral_rms"], 0.1, 1e-6);
+    // L* of Y = 50 and 40: 76.0693 and 69.4695.
+    assert_all_near(&surfaces["delta_lab"], &[6.5998, 0.0, 0.0], 2e-4);
+    assert_near(&surfaces["delta_e76"], 6.5998, 2e-4);
+}
+
+#[test]
+fn pictures_have_safe_and_different_names() {
+    let directory = scratch("pictures");
+    let pictures = directory.join("made/here");
+    let input = "nm,a/b,A_B,<&>,..\n400,1,2,3,1\n500,2,1,1,1\n600,1,1,2,1\n";
+    let outcome = run_with(input, &["-", "--svg", pictures.to_str().expect("UTF-8")]);
+    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    let mut names: Vec<String> = fs::read_dir(&pictures)
+        .expect("the directory was made")
+        .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
+        .collect();
+    names.sort();
+    assert_eq!(names, ["A_B-2.svg", "___.svg", "a_b.svg", "spectrum.svg"]);
+    for name in names {
+        let text = fs::read_to_string(pictures.join(name)).expect("a text");
+        assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
+        assert!(!text.contains("<&>") && !text.contains("NaN"));
+    }
+}
+
+#[test]
+fn a_piped_report_is_plain_text_whatever_the_names_hold() {
+    for arguments in [&["-"][..], &["-", "--json"], &["-", "--reflectance"]] {
+        let outcome = run_with("nm,\"\u{1b}[31mred\u{7}\"\n400,1\n700,0.5\n", arguments);
+        assert_eq!(outcome.code, Some(0));
+        assert!(outcome.out.chars().all(|c| c == '\n' || !c.is_control()), "{:?}", outcome.out);
+        assert_eq!(outcome.err, "");
+    }
+}
+
+/// Bad input: a file's text, the line to blame, and a word of the message.
+const BAD: &[(&str, usize, &str)] = &[
+    ("", 1, "no row of numbers"),
+    ("# only\n# comments\n", 1, "no row of numbers"),
+    ("dear reader\nthis is a letter\n", 1, "no row of numbers"),
+    ("nm,a\n", 1, "no row of numbers"),
+    ("nm,a\n500,1\n", 2, "one sample"),
+    ("500\n510\n", 1, "no value"),
+    ("nm,a,b\n500,1,2\n505,1\n", 3, "2 cells"),
+    ("500 1\n505 1 2\n", 2, "3 cells"),
+    ("nm,a,\n500,1\n505,2\n", 2, "heading"),
+    ("wave length,a\nW,nm\n500,1\n505,2\n", 2, "begin the line with '#'"),
+    ("500,1\n505,\n", 2, "empty"),
+    ("nm,a,b\n500,1,2\n505,,3\n", 3, "'a' is empty"),
+    ("500,1,\n505,2,\n", 1, "last separator"),
+    ("500\t1\t\n505\t2\t\n", 1, "last separator"),
+    ("500,1\n505,abc\n", 2, "'abc'"),
+    ("500,1\n505,NaN\n", 2, "not a finite number"),
+    ("500,1\n505,-inf\n", 2, "not a finite number"),
+    ("500,1\n505,1e999\n", 2, "not a finite number"),
+    ("500;1,5\n505;2,5\n", 1, "decimal point"),
+    ("500,1\n510,1\n505,2\n", 3, "sort the rows"),
+    ("# a\n\n500,1\n505,2\n505,3\n", 5, "line 4 too"),
+    ("500.000001,1\n500.000002,2\n501,1\n", 2, "too near"),
+    ("-500,1\n505,2\n", 1, "not a wavelength"),
+    ("0,1\n505,2\n", 1, "not a wavelength"),
+    ("5OO,1\n505,2\n510,3\n", 1, "'5OO'"),
+    ("S00,1\n505,2\n510,3\n", 1, "'S00'"),
+    ("0.38,1\n0.78,2\n", 1, "micrometres"),
+    ("3800,1\n7800,2\n", 1, "ångströms"),
+    ("900,1\n1000,2\n", 1, "nothing visible"),
+    ("nm,a,b\n400,1,0\n500,1,0\n", 2, "'b': every value is zero"),
+    ("400,-1\n500,-2\n", 1, "nothing visible"),
+    ("500.2,1\n500.6,1\n", 1, "nothing visible"),
+    ("nm,\"a\n500,1\n505,2\n", 1, "quote"),
+    ("nm,lamp \"a\"\n500,1\n505,2\n", 1, "quoted cell"),
+    ("500,1\r505,2\r", 1, "carriage return"),
+];
+
+#[test]
+fn bad_input_ends_with_one_line_that_says_where() {
+    for (text, line, word) in BAD {
+        let outcome = run_with(text, &["-"]);
+        assert_eq!((outcome.code, outcome.out.as_str()), (Some(2), ""), "{text:?}");
+        assert_one_line(&outcome.err, &format!("stdin:{line}: "), word);
+    }
+}
+
+#[test]
+fn bad_files_and_options_end_with_one_line() {
+    let directory = scratch("bad");
+    let path = |name: &str| directory.join(name).to_str().expect("UTF-8").to_owned();
+    let (latin, wide, two) = (path("latin.csv"), path("utf16.csv"), path("two.csv"));
+    fs::write(&latin, b"500,1\n# \xb5W\n505,2\n").expect("written");
+    fs::write(&wide, b"\xff\xfe5\x000\x00").expect("written");
+    fs::write(&two, "500 1 1\n505 2 2\n").expect("written");
+    let missing = path("missing.csv");
+    let folder = directory.to_str().expect("UTF-8");
+    let cases: &[(&[&str], &str, &str)] = &[
+        (&[&missing], &missing, "no such file"),
+        (&[&two, &missing], &missing, "no such file"),
+        (&[folder], folder, "directory"),
+        (&[&latin], &format!("{latin}:2: "), "UTF-8"),
+        (&[&wide], &format!("{wide}:1: "), "UTF-16"),
+        (&["no\nsuch\u{1b}[0m"], "no\\nsuch", "no such file"),
+        (&["--nonsense"], "colorimeter: ", "--nonsense"),
+        (&["--observer", "1930"], "colorimeter: ", "2015-10"),
+        (&["--unit", "watt"], "colorimeter: ", "absolute"),
+        (&["--interpolation", "cubic"], "colorimeter: ", "sprague"),
+        (&["--json", "--json"], "colorimeter: ", "--json"),
+        (&["--svg"], "colorimeter: ", "--svg"),
+        (&["--light", "D65"], "colorimeter: ", "--reflectance"),
+        (&["--reflectance", "--light", "D56", &two], "--light D56: ", "LED-B1"),
+        (&["--reflectance", "--light", &two, &two], &two, "wants one"),
+        (&["--reflectance", "--unit", "absolute", &two], "--unit absolute: ", "no unit"),
+        (&["--reflectance", &two], &format!("{two}:2: "), ""),
+        (&["--compare", &two], &two, "wants one"),
+        (&["--compare", &missing], &missing, "no such file"),
+        (&["--interpolation", "sprague", &two], &format!("{two}:1: "), "linear"),
+        (&["--svg", &two], "--svg ", "directory"),
+        (&["-", "-"], "-: ", "once"),
+    ];
+    for (arguments, start, word) in cases {
+        // 2 at 505 nm is still a reflectance, 2.5 is none.
+        if arguments == &["--reflectance", two.as_str()] {
+            fs::write(&two, "500 1 1\n505 2 2.5\n").expect("written");
+        }
+        let outcome = run(arguments);
+        assert_eq!((outcome.code, outcome.out.as_str()), (Some(2), ""), "{arguments:?}");
+        assert_one_line(&outcome.err, start, word);
+    }
+}
+
+fn assert_one_line(message: &str, start: &str, word: &str) {
+    assert_eq!(message.lines().count(), 1, "{message:?}");
+    assert!(message.ends_with('\n') && !message.trim_end().contains(|c: char| c.is_control()), "{message:?}");
+    assert!(message.starts_with(start), "{message:?} does not start with {start:?}");
+    assert!(message.contains(word), "{message:?} does not say {word:?}");
+    assert!(message.contains(';'), "{message:?} does not say what to do");
+}
+
+#[test]
+fn sprague_names_the_row_that_is_off_the_step() {
+    let input = "400 1\n405 1\n411 1\n415 1\n420 1\n425 1\n";
+    let outcome = run_with(input, &["-", "--interpolation", "sprague"]);
+    assert_eq!(outcome.code, Some(2));
+    assert_one_line(&outcome.err, "stdin:3: ", "linear");
+}
+
+#[test]
+fn help_and_version_are_no_errors() {
+    let help = run(&["--help"]);
+    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
+    for option in [
+        "--observer",
+        "--reflectance",
+        "--light",
+        "--unit",
+        "--interpolation",
+        "--json",
+        "--svg",
+        "--compare",
+    ] {
+        assert!(help.out.contains(option), "{option}");
+    }
+    assert_eq!(run(&["--version"]).out.trim(), concat!("colorimeter ", env!("CARGO_PKG_VERSION")));
+}
