@@ -91,3 +91,7 @@ pub use spectrum::{
 };
 #[cfg(feature = "heapless")]
 pub use spectrum::{PushError, Samples};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -8,7 +8,7 @@
 /// `tests/backends.rs`).
 ///
 /// With the feature `libm` this is `libm::sqrtf`, which is faster (the core's own instruction on
-/// x86-64, 52 instructions on a Cortex-M4F) and, being correctly rounded too, the same number.
+/// x86-64, 67 instructions on a Cortex-M4F) and, being correctly rounded too, the same number.
 #[must_use]
 pub fn sqrt(x: f32) -> f32 {
     #[cfg(feature = "libm")]
@@ -65,7 +65,7 @@ fn sqrt_by_digits(x: f32) -> f32 {
 /// 2.3e-7 relative (four units of 2^-24; swept in `tests/backends.rs`).
 ///
 /// # Cost
-/// About 36 instructions on a Cortex-M4F.
+/// 43 instructions on a Cortex-M4F, 61 at opt-level "s".
 #[must_use]
 pub fn cbrt(x: f32) -> f32 {
     let bits = x.to_bits() & 0x7fff_ffff;

@@ -28,15 +28,6 @@ fn reduce(s: &[f32; 8]) -> f32 {
     ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
 }
 
-/// Adds the products of what is left after whole eights, each to its lane.
-#[cfg(any(feature = "simd", target_os = "none"))]
-#[inline]
-fn add_rest(lanes: &mut [f32; 8], a: &[f32], b: &[f32]) {
-    for (lane, (a, b)) in lanes.iter_mut().zip(a.iter().zip(b)) {
-        *lane += a * b;
-    }
-}
-
 /// The sum of `a[k]`, in the same lanes and order as the products.
 pub(crate) fn sum(a: &[f32]) -> f32 {
     let mut lanes = [0.0f32; 8];

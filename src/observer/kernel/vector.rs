@@ -1,6 +1,6 @@
 //! Explicit vectors (the `wide` crate), all rows in one pass over the spectrum.
 
-use super::{add_rest, reduce};
+use super::reduce;
 use wide::f32x8;
 
 /// All rows against one spectrum; each lane does what a lane of the other kernels does.
@@ -24,7 +24,9 @@ pub(in crate::observer) fn rows<const C: usize, const N: usize>(
     for (total, (sum, row)) in totals.iter_mut().zip(sums.iter().zip(rows)) {
         let mut lanes = sum.to_array();
         let (_, row_rest) = row.as_chunks::<8>();
-        add_rest(&mut lanes, row_rest, s_rest);
+        for (lane, (a, b)) in lanes.iter_mut().zip(row_rest.iter().zip(s_rest)) {
+            *lane += a * b;
+        }
         *total = reduce(&lanes);
     }
     totals

@@ -1,0 +1,28 @@
+//! Prints one hash for each group of results. On a host (`cargo run --bin bits`) it prints what devices must
+//! print.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use nanospectra_firmware::bits;
+#[cfg(target_os = "none")]
+use semihosting::{println, process};
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    print();
+}
+
+#[cfg(target_os = "none")]
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    print();
+    process::exit(0)
+}
+
+fn print() {
+    let mut line = |group: &str, hash: u32| println!("{group} {hash:08x}");
+    bits::run(&mut line);
+    if cfg!(not(small_flash)) {
+        bits::run_large(&mut line);
+    }
+}

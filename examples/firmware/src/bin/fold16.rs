@@ -1,0 +1,35 @@
+//! 16 bands of a surface to XYZ under FL11, folded while compiling, and nothing else.
+//!
+//! `tests/devices.sh` looks into this image: 3 * 16 weights and not one more byte of tables, no `core::fmt`,
+//! no soft f64. That it cannot panic is proved here, by linking.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use nanospectra::light::FL11;
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::{Interpolation, Outside, Reflectance};
+
+static EYE: Observer<3, 16> = CIE_1931
+    .under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))
+    .fold(Curve::Spline)
+    .with_white_y(100.0);
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    loop {
+        let paper = Reflectance::<16>::from_bins(black_box([0.5; 16]));
+        black_box(EYE.sees(&paper));
+    }
+}
+
+unsafe extern "C" {
+    /// Defined nowhere: an image with a reachable panic does not link.
+    safe fn this_image_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    this_image_can_panic()
+}

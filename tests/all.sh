@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Everything that guards a promise, in one command; needs rustup, and installs the rest.
+#
+#   bash tests/all.sh
+#
+# Emulators and targets that cannot be installed are reported as SKIPPED in plain words.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export CARGO_TERM_COLOR=${CARGO_TERM_COLOR:-never}
+
+step() { printf '\n== %s (after %d s)\n' "$*" "$SECONDS"; }
+
+bare="thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf wasm32-unknown-unknown"
+skipped=()
+
+step "targets, formatter and lints"
+for target in $bare; do
+    rustup target add "$target" || skipped+=("target $target cannot be installed: nothing was built for it")
+done
+rustup component add rustfmt clippy
+
+step "formatting"
+cargo fmt --all --check
+for crate in examples/firmware examples/web; do
+    cargo fmt --manifest-path "$crate/Cargo.toml" --check
+done
+
+step "lints, with every feature and with the default ones"
+cargo clippy --all-targets --all-features -- -D warnings
+cargo clippy --all-targets -- -D warnings
+
+step "each feature alone, none and all, on every kind of target"
+host=$(rustc -vV | sed -n 's/^host: //p')
+for target in $host $bare; do
+    case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
+    for features in "" libm std simd micromath heapless defmt libm,std,simd,micromath,heapless,defmt; do
+        echo "$target [$features]"
+        cargo clippy --quiet --target "$target" --no-default-features --features "$features" -- -D warnings
+    done
+done
+
+step "the crates for devices and for the web"
+for target in thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf; do
+    case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
+    (cd examples/firmware && cargo clippy --quiet --target "$target" -- -D warnings)
+done
+case " ${skipped[*]-} " in
+*" target wasm32-unknown-unknown "*) ;;
+*) (cd examples/web && cargo clippy --quiet -- -D warnings) ;;
+esac
+
+step "documentation"
+RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features
+
+step "tests, with the default features, as a release and with checks for overflow"
+cargo test --release
+cargo test --release --config 'profile.release.overflow-checks=true' --config 'profile.release.debug-assertions=true' \
+    --target-dir target/checked --lib --test hard_cases --test semantics --test properties
+step "tests, with every feature, then with none"
+cargo test --release --all-features
+cargo test --release --no-default-features
+
+step "the benches run and check their results"
+cargo bench --bench observer -- --test
+cargo bench --bench color -- --test
+
+step "the package is complete"
+cargo package --allow-dirty
+
+step "devices: the same bits, instructions and bytes"
+bash tests/devices.sh --install
+
+for what in "${skipped[@]-}"; do
+    [[ -z $what ]] || echo "SKIPPED  $what"
+done
+step "all passed"
