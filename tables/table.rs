@@ -13,6 +13,8 @@ pub struct Table {
     pub names: Vec<String>,
     pub wavelengths: Vec<u16>,
     pub columns: Vec<Vec<f64>>,
+    /// Where each row stands in the file, counted from 1.
+    lines: Vec<usize>,
 }
 
 impl Table {
@@ -26,6 +28,7 @@ impl Table {
             names: Vec::new(),
             wavelengths: Vec::new(),
             columns: Vec::new(),
+            lines: Vec::new(),
         };
         for (index, line) in text.lines().enumerate() {
             let at = |what: String| format!("{}:{}: {what}", path.display(), index + 1);
@@ -38,6 +41,7 @@ impl Table {
                 table.columns = vec![Vec::new(); table.names.len()];
             } else {
                 table.push(line).map_err(at)?;
+                table.lines.push(index + 1);
             }
         }
         for fact in ["name", "source", "licence", "range_nm", "step_nm"] {
@@ -104,10 +108,10 @@ impl Table {
 
     /// Refuses a table whose rows are not exactly `step` nm apart.
     pub fn demand_step(&self, step: u16) -> Result<(), String> {
-        for pair in self.wavelengths.windows(2) {
+        for (pair, line) in self.wavelengths.windows(2).zip(&self.lines[1..]) {
             if step == 0 || pair[1] != pair[0] + step {
                 return Err(format!(
-                    "{}: {} nm follows {} nm where the step should be {step} nm; sort or complete the rows",
+                    "{}:{line}: {} nm follows {} nm where the step should be {step} nm; sort or complete the rows",
                     self.path.display(),
                     pair[1],
                     pair[0]
@@ -120,10 +124,10 @@ impl Table {
     /// Refuses a table with a value outside `low..=high`: a slip of the decimal point.
     pub fn demand_between(&self, low: f64, high: f64) -> Result<(), String> {
         for (column, name) in self.columns.iter().zip(&self.names) {
-            for (value, nm) in column.iter().zip(&self.wavelengths) {
+            for ((value, nm), line) in column.iter().zip(&self.wavelengths).zip(&self.lines) {
                 if !(low..=high).contains(value) {
                     return Err(format!(
-                        "{}: {name} at {nm} nm is {value}, outside {low}..{high}; check the decimal point",
+                        "{}:{line}: {name} at {nm} nm is {value}, outside {low}..{high}; check the decimal point",
                         self.path.display()
                     ));
                 }

@@ -191,7 +191,7 @@ mod de00 {
                 worst.add_relative(&format!("{size}"), ciede2000(x, y), expected);
             }
         }
-        worst.within(4e-7);
+        worst.within(2e-7);
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! report: [`text`], [`json`] or a [`picture`].
 
 mod args;
+mod exact;
 mod facts;
 mod failure;
 mod input;
@@ -38,6 +39,12 @@ fn main() -> ExitCode {
 }
 
 fn run(args: &Args) -> Result<(), Failure> {
+    if args.reflectance && args.files.is_empty() {
+        return Err(Failure::of(
+            "--reflectance",
+            "the bundled spectrum is a lamp; give FILES with reflectances",
+        ));
+    }
     let bench = Bench::new(args)?;
     let reference = measure::reference(&bench, args)?;
     let mut sources = if args.files.is_empty() { input::bundled()? } else { Vec::new() };

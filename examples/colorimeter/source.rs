@@ -1,6 +1,7 @@
 //! One measured spectrum: samples with the lines they came from, on their way to the 1 nm grid.
 
 use crate::args::Eye;
+use crate::exact;
 use crate::failure::Failure;
 use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
 use std::rc::Rc;
@@ -93,7 +94,7 @@ impl Source {
     ) -> Result<Fine<Q>, Failure> {
         let samples: Vec<(f32, f32)> =
             self.samples.iter().map(|(nm, value)| (*nm as f32, scaled(*value) as f32)).collect();
-        Fine::interpolated(&samples, by, outside).map_err(|error| match error {
+        let mut fine = Fine::interpolated(&samples, by, outside).map_err(|error| match error {
             SamplesError::NotRegular { index } => Failure::at(
                 &self.file,
                 self.lines[index],
@@ -102,8 +103,27 @@ impl Source {
             SamplesError::TooFew { needed } => {
                 self.wrong(&format!("fewer than {needed} samples; use --interpolation linear"))
             }
+            // Distinct in f64, that is: a file may list wavelengths closer than f32 tells apart.
+            SamplesError::NotIncreasing { index } => Failure::at(
+                &self.file,
+                self.lines[index],
+                "less than 0.0001 nm above the row before; merge them",
+            ),
             other => self.wrong(&format!("{other}; correct the file")),
-        })
+        })?;
+        if exact::is_needed(&self.samples) {
+            for (value, nm) in fine.values_mut().iter_mut().zip(360..) {
+                let nm = f64::from(nm);
+                let read = exact::at(&self.samples, nm, by);
+                *value = match (read, outside) {
+                    (Some(read), _) => scaled(read) as f32,
+                    (None, Outside::Zero) => 0.0,
+                    (None, Outside::Hold) if nm < self.samples[0].0 => scaled(self.samples[0].1) as f32,
+                    (None, Outside::Hold) => scaled(self.samples[self.samples.len() - 1].1) as f32,
+                };
+            }
+        }
+        Ok(fine)
     }
 
     fn ends(&self) -> (f64, f64) {

@@ -76,8 +76,11 @@ impl Uv1960 {
     /// ```
     #[must_use]
     pub fn cct(self) -> Cct {
-        if (self.u + self.v).is_nan() {
+        if self.u.is_nan() || self.v.is_nan() {
             return Cct::Near { cct_k: f32::NAN, duv: f32::NAN };
+        }
+        if self.u.is_infinite() || self.v.is_infinite() {
+            return Cct::OffLocus;
         }
         let (mired, duv) = if along(0, self) < 0.0 {
             beyond(0, self)

@@ -36,7 +36,7 @@ pub struct Cri {
 /// 28 KB of samples; some 60 inner products of 471 terms.
 ///
 /// # Errors
-/// [`RenderingError`]: dark, or no white.
+/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no colour.
 ///
 /// # Reference
 /// CIE 13.3-1995.
@@ -53,6 +53,9 @@ pub fn cri(light: &Fine<Power>) -> Result<Cri, RenderingError> {
         let (a, b) = (test.uvw(sample, &standard)?, standard.uvw(sample, &standard)?);
         let d = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         *r = 100.0 - 4.6 * sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    }
+    if r.iter().any(|r| !r.is_finite()) {
+        return Err(RenderingError::Unreal);
     }
     let ra = r.iter().take(8).sum::<f32>() / 8.0;
     Ok(Cri { ra, r, cct_k, duv, dc })
@@ -77,7 +80,7 @@ impl<'a> Judge<'a> {
     /// quantities c and d of the standard.
     fn uvw(&self, sample: &Fine<Factor>, reference: &Judge) -> Result<[f32; 3], RenderingError> {
         let xyz = Xyz::from(CIE_1931.sees(&(*self.light * *sample))).scaled(self.scale);
-        let uv = xyz.uv1960().ok_or(RenderingError::Dark)?;
+        let uv = xyz.uv1960().ok_or(RenderingError::Unreal)?;
         let (own, other, own_white) = (cd(uv), cd(reference.white), cd(self.white));
         let c = other[0] / own_white[0] * own[0];
         let d = other[1] / own_white[1] * own[1];

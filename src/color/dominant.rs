@@ -3,8 +3,13 @@
 use crate::color::{Xy, Xyz};
 use crate::observer::FineObserver;
 
-/// Closer to the white than this, in x, y, a colour has no hue to speak of.
-const ACHROMATIC: f32 = 1e-4;
+/// Closer to the white than this, in x, y, rounding decides the hue.
+const ACHROMATIC: f32 = 1e-5;
+/// Cuts as far out as this share of the outermost are the same one, seen twice.
+const SAME_CUT: f32 = 0.999;
+/// Beyond about 410 and 690 nm the locus folds back on itself; of two cuts there the one nearer to this, in nm,
+/// is the colour that one sees.
+const MIDDLE_NM: f32 = 555.0;
 
 /// The spectral colour that, mixed with white, gives a colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +23,7 @@ pub struct Dominant {
 }
 
 /// The dominant wavelength and purity of `sample` as seen against `white`; `None` if it is
-/// within 1e-4 of the white, or not a number.
+/// within 1e-5 of the white, or not a number.
 ///
 /// The ray from the white through the sample is cut with the spectrum locus of `eye`, straight
 /// between its 1 nm nodes, or with the purple line between its ends.
@@ -46,10 +51,16 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     }
     let locus = Locus { eye, white };
     if let Some((nm, reach)) = locus.cut(ray) {
-        return Some(Dominant { nm, purity: length / reach });
+        return Some(Dominant { nm, purity: share(length, reach) });
     }
     let (nm, _) = locus.cut([-ray[0], -ray[1]])?;
-    Some(Dominant { nm: -nm, purity: length / locus.purple(ray)? })
+    Some(Dominant { nm: -nm, purity: share(length, locus.purple(ray)?) })
+}
+
+/// A purity; what rounding puts beyond a spectral colour's 1 is taken off.
+fn share(length: f32, reach: f32) -> f32 {
+    let purity = length / reach;
+    if purity > 1.0 && purity < 1.000_001 { 1.0 } else { purity }
 }
 
 fn dot(a: [f32; 2], b: [f32; 2]) -> f32 {
@@ -78,7 +89,7 @@ impl Locus<'_> {
     }
 
     /// Where the ray leaves through the locus: the wavelength, and the cut's distance from the white times the
-    /// ray's length. The outermost cut, where the locus folds back on itself.
+    /// ray's length. Of several cuts the outermost.
     fn cut(&self, ray: [f32; 2]) -> Option<(f32, f32)> {
         let mut found: Option<(f32, f32)> = None;
         for (a, b) in self.nodes().zip(self.nodes().skip(1)) {
@@ -88,8 +99,11 @@ impl Locus<'_> {
             }
             let t = from / (from - to);
             let reach = dot(ray, a.1) + t * (dot(ray, b.1) - dot(ray, a.1));
-            if reach > found.map_or(0.0, |f| f.1) {
-                found = Some((a.0 + t * (b.0 - a.0), reach));
+            let nm = a.0 + t * (b.0 - a.0);
+            let (before, outermost) = found.unwrap_or((nm, 0.0));
+            let nearer = (nm - MIDDLE_NM).abs() < (before - MIDDLE_NM).abs();
+            if reach * SAME_CUT > outermost || (nearer && reach > outermost * SAME_CUT) {
+                found = Some((nm, reach));
             }
         }
         found

@@ -1,7 +1,7 @@
 //! The reference lights of colour rendering: a black body, daylight, or in between.
 
 use crate::color::{Cct, Xyz};
-use crate::light::{C2_COLOR_UM, blackbody_shape, daylight_at};
+use crate::light::{C2_COLOR_NM, blackbody_shape, daylight_at};
 use crate::math::Portable;
 use crate::observer::CIE_1931;
 use crate::spectrum::{Fine, Interpolation, Outside, Power, Spectrum};
@@ -14,6 +14,8 @@ use core::fmt;
 pub enum RenderingError {
     /// It has no visible power, or is not a number.
     Dark,
+    /// Under it a sample, or the light itself, has no place among real colours: it has negative values.
+    Unreal,
     /// It is no kind of white, so there is no reference of the same colour temperature.
     NoReference(Cct),
 }
@@ -22,6 +24,7 @@ impl fmt::Display for RenderingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Dark => "the light has no visible power",
+            Self::Unreal => "under this light a sample has no real colour (negative values?)",
             Self::NoReference(Cct::TooCold) => "the light is redder than 1000 K: there is no reference",
             Self::NoReference(Cct::TooHot) => "the light is bluer than 1000000 K: there is no reference",
             Self::NoReference(_) => "the light is more than 0.05 (Duv) from the Planckian locus: not a white",
@@ -44,7 +47,7 @@ pub(super) fn temperature(light: &Fine<Power>) -> Result<(f32, f32), RenderingEr
 
 /// A black body of colour temperature `cct_k`, 1 at 560 nm (c2 = 1.4388e-2 m K).
 pub(super) fn planckian(cct_k: f32) -> Fine<Power> {
-    Spectrum::at_centres(|nm| blackbody_shape::<Portable>(nm, cct_k, C2_COLOR_UM))
+    Spectrum::at_centres(|nm| blackbody_shape::<Portable>(nm, cct_k, C2_COLOR_NM))
 }
 
 /// CIE daylight, 100 at 560 nm; straight between its 5 nm nodes.

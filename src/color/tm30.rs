@@ -54,7 +54,7 @@ pub struct HueBin {
 /// 159 KB of samples; some 600 inner products of 401 terms.
 ///
 /// # Errors
-/// [`RenderingError`]: dark, or no white.
+/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no colour.
 ///
 /// # Reference
 /// ANSI/IES TM-30-18; CIE 224:2017.
@@ -78,9 +78,14 @@ pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
             bin.add(a, b, difference);
         }
     }
+    let rf = fidelity(total / 99.0);
+    let rg = 100.0 * area(&bins, |bin| bin.test) / area(&bins, |bin| bin.reference);
+    if !rf.is_finite() || !rg.is_finite() {
+        return Err(RenderingError::Unreal);
+    }
     Ok(Tm30 {
-        rf: fidelity(total / 99.0),
-        rg: 100.0 * area(&bins, |bin| bin.test) / area(&bins, |bin| bin.reference),
+        rf,
+        rg,
         rf_ces,
         bins: core::array::from_fn(|k| bins.get(k).and_then(|bin| bin.report(k))),
         cct_k,

@@ -4,13 +4,13 @@ use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 
-/// First radiation constant for radiance, 2 h c^2, in W um^4 m-2 sr-1 per nm (CODATA 2018, exact).
-const C1_UM: f32 = 1.191_042_97e5;
-/// Second radiation constant, h c / k, in um K (CODATA 2018, exact).
-const C2_UM: f32 = 14_387.768_8;
-/// The value that colour temperatures are defined with (ITS-90), in um K: 1.6e-5 higher.
+/// First radiation constant for radiance, 2 h c^2, in W m-2 sr-1 nm-1 (1024 nm)^5 (CODATA 2018).
+const C1_1024: f32 = 105_785.87;
+/// Second radiation constant, h c / k, in nm K (CODATA 2018; the exact number is 0.22 less).
+const C2_NM: f32 = 14_387_769.0;
+/// The value that colour temperatures are defined with (ITS-90), in nm K: 1.6e-5 higher.
 #[cfg(feature = "libm")]
-pub(crate) const C2_COLOR_UM: f32 = 14_388.0;
+pub(crate) const C2_COLOR_NM: f32 = 14_388_000.0;
 /// Stefan's constant, W m-2 K-4.
 const SIGMA: f32 = 5.670_374_4e-8;
 /// Wien's displacement constant, nm K.
@@ -41,13 +41,18 @@ pub fn blackbody(nm: f32, kelvin: f32) -> f32 {
 /// [`blackbody`] on another maths backend.
 #[must_use]
 pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
-    // Micrometres keep the fifth power in range from gamma rays to radio.
-    let um = nm * 1e-3;
-    let x = C2_UM / (um * kelvin);
-    let scale = C1_UM / (um * um * um * um * um);
+    // Units of 1024 nm: near the micrometre the fifth power stays in range from gamma rays to radio, and
+    // a power of two costs no rounding, which would count five times.
+    let length = nm * (1.0 / 1024.0);
+    let x = C2_NM / (nm * kelvin);
+    let scale = C1_1024 / (length * length * length * length * length);
     if x > 80.0 {
         // e^x overflows at 88.7: two halves reach down to 1e-38.
         let half = M::exp(-0.5 * x);
+        if half == 0.0 {
+            // Beyond gamma rays `scale` is infinite.
+            return 0.0;
+        }
         let value = scale * half * half;
         return if value < 1e-38 { 0.0 } else { value };
     }
@@ -58,25 +63,25 @@ pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
 /// small for f32.
 ///
 /// # Accuracy
-/// (|dx| + 8) units of 2^-24 with dx the difference of hc / (lambda k T) to 560 nm; 0 or infinite
+/// (2 |dx| + 8) units of 2^-24 with dx the difference of hc / (lambda k T) to 560 nm; 0 or infinite
 /// where the ratio itself is beyond f32 (some K).
 #[cfg(feature = "libm")]
 #[must_use]
 pub fn blackbody_relative(nm: f32, kelvin: f32) -> f32 {
-    relative::<Portable>(nm, kelvin, C2_UM)
+    relative::<Portable>(nm, kelvin, C2_NM)
 }
 
 /// [`blackbody_relative`] on another maths backend.
 #[must_use]
 pub fn blackbody_relative_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
-    relative::<M>(nm, kelvin, C2_UM)
+    relative::<M>(nm, kelvin, C2_NM)
 }
 
-/// As [`blackbody_relative`], with the second radiation constant in um K.
-pub(crate) fn relative<M: Math>(nm: f32, kelvin: f32, c2_um: f32) -> f32 {
-    let (um, ratio) = (nm * 1e-3, 560.0 / nm);
-    let (x, x560) = (c2_um / (um * kelvin), c2_um / (0.56 * kelvin));
-    let dx = c2_um * ((nm - 560.0) * 1e-3) / (0.56 * um * kelvin);
+/// As [`blackbody_relative`], with the second radiation constant in nm K.
+pub(crate) fn relative<M: Math>(nm: f32, kelvin: f32, c2_nm: f32) -> f32 {
+    let ratio = 560.0 / nm;
+    let (x, x560) = (c2_nm / (nm * kelvin), c2_nm / (560.0 * kelvin));
+    let dx = c2_nm / 560.0 * (nm - 560.0) / (nm * kelvin);
     // B(x) = l^-5 e^-x / (1 - e^-x), and the quotient of the exponentials is e^dx.
     ratio * ratio * ratio * ratio * ratio * (M::expm1(-x560) / M::expm1(-x)) * M::exp(dx)
 }

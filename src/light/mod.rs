@@ -11,6 +11,6 @@ pub use daylight::{Daylight, daylight, daylight_xy};
 pub use illuminants::*;
 
 #[cfg(feature = "libm")]
-pub(crate) use blackbody::{C2_COLOR_UM, relative as blackbody_shape};
+pub(crate) use blackbody::{C2_COLOR_NM, relative as blackbody_shape};
 #[cfg(feature = "libm")]
 pub(crate) use daylight::spectrum as daylight_at;

@@ -4,7 +4,7 @@
 /// Cosine of `turns` full turns.
 ///
 /// # Accuracy
-/// 1.5e-7 absolute, for any finite argument.
+/// 1.7e-7 absolute, for any finite argument.
 #[must_use]
 pub fn cos(turns: f32) -> f32 {
     // |turns| mod 1 is exact, and so is the fold about the half turn and the quarter turn.
@@ -31,12 +31,15 @@ pub fn sin(turns: f32) -> f32 {
     sign * quarter_sine(fold)
 }
 
-/// sin(2 pi t) for |t| <= 1/4: the Taylor series in t, which at a quarter turn is off by 7e-10.
+/// sin(2 pi t) for |t| <= 1/4: the Taylor series in t, which at a quarter turn is off by 7e-10. Its first three
+/// coefficients are a unit in the last place or so off their values, where the roundings then meet best: 1.6e-7
+/// and not 2.2e-7.
 fn quarter_sine(t: f32) -> f32 {
     let s = t * t;
     let series = 42.058_693 - s * (15.094_643 - s * 3.819_952_6);
-    let series = 81.605_25 - s * (76.705_86 - s * series);
-    t * (core::f32::consts::TAU - s * (41.341_7 - s * series))
+    let series = 81.605_255 - s * (76.705_86 - s * series);
+    const TURN: f32 = core::f32::consts::TAU.next_down();
+    t * (TURN - s * (41.341_698 - s * series))
 }
 
 /// What is left of `turns` after the whole ones, with its sign; exact.

@@ -21,7 +21,7 @@ include!(concat!(env!("OUT_DIR"), "/observers.rs"));
 /// the end of the S cone set to zero.
 ///
 /// # Accuracy
-/// Within 9e-4 of the peak of what the 1 nm XYZ functions of CIE 170-2 imply (`tests/tables.rs`).
+/// Within 1e-3 of the peak of what the 1 nm XYZ functions of CIE 170-2 imply (`tests/eyes_and_samples.rs`).
 ///
 /// # Reference
 /// CIE 170-1:2006; CC BY-SA 4.0.

@@ -44,7 +44,10 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
                 let place = Place::of(nm - first, step, N, by);
                 let (reference, mut sum, mut j) = (self.0[place.reference], 0.0, 0);
                 while j < 6 && place.start + j < N {
-                    sum += place.weights[j] * (self.0[place.start + j] - reference);
+                    // Zero times a NaN is a NaN: what has no weight must not count.
+                    if place.weights[j] != 0.0 {
+                        sum += place.weights[j] * (self.0[place.start + j] - reference);
+                    }
                     j += 1;
                 }
                 reference + sum

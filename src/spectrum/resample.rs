@@ -1,6 +1,6 @@
 //! From one grid of bins to another, keeping the power.
 
-use crate::grid::Grid;
+use crate::grid::{Grid, Layout};
 use crate::spectrum::{Outside, Spectrum};
 
 impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
@@ -18,9 +18,8 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
         let mut values = [0.0; M];
         let mut k = 0;
         for (j, value) in values.iter_mut().enumerate() {
-            let low = Spectrum::<Q, M, H>::edge_nm(j);
-            let high = Spectrum::<Q, M, H>::edge_nm(j + 1);
-            while k < N && Self::edge_nm(k + 1) <= low {
+            let (low, high) = (Layout::<H, M>::edge_units(j), Layout::<H, M>::edge_units(j + 1));
+            while k < N && Layout::<G, N>::edge_units(k + 1) <= low {
                 k += 1;
             }
             *value = self.average(k, low, high, outside);
@@ -30,22 +29,22 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
 
     /// The average over `low..high`, where `k` is the first bin that ends above `low`. Summed as
     /// deviations from the first piece, so that a constant stays exactly that.
-    fn average(&self, mut k: usize, low: f32, high: f32, outside: Outside) -> f32 {
+    fn average(&self, mut k: usize, low: i64, high: i64, outside: Outside) -> f32 {
         let (mut from, mut first, mut sum) = (low, None, 0.0);
         while from < high {
-            let (to, value) = if from < Self::edge_nm(0) {
-                (Self::edge_nm(0), outside.beyond(self.0.first().copied().unwrap_or(0.0)))
+            let (to, value) = if from < Layout::<G, N>::edge_units(0) {
+                (Layout::<G, N>::edge_units(0), outside.beyond(self.0.first().copied().unwrap_or(0.0)))
             } else if let Some(value) = self.0.get(k) {
                 k += 1;
-                (Self::edge_nm(k), *value)
+                (Layout::<G, N>::edge_units(k), *value)
             } else {
                 (high, outside.beyond(self.0.last().copied().unwrap_or(0.0)))
             };
             let to = if to < high { to } else { high };
             let reference = *first.get_or_insert(value);
-            sum += (to - from) * (value - reference);
+            sum += (to - from) as f32 * (value - reference);
             from = to;
         }
-        first.unwrap_or(0.0) + sum / (high - low)
+        first.unwrap_or(0.0) + sum / (high - low) as f32
     }
 }

@@ -194,11 +194,20 @@ impl Lines<'_> {
         while self.samples.get(self.next).is_some_and(|s| s.0 <= nm) {
             self.next += 1;
         }
+        self.mean(nm, nm)
+    }
+
+    /// The mean over `from..to`, which lie on the straight line that ends at `next`. (At a middle
+    /// wavelength it would be the same, but for its rounding: 1.5e-5 nm, much of a step of 0.05 nm.)
+    fn mean(&self, from: f32, to: f32) -> f32 {
         let below = self.next.checked_sub(1).and_then(|i| self.samples.get(i));
         match (below, self.samples.get(self.next)) {
-            (Some(a), Some(b)) => a.1 + (b.1 - a.1) * ((nm - a.0) / (b.0 - a.0)),
+            (Some(a), Some(b)) => {
+                let middle = ((from - a.0) + (to - a.0)) * 0.5;
+                a.1 + (b.1 - a.1) * (middle / (b.0 - a.0))
+            }
             // At the very last sample it is still inside.
-            (Some(a), None) if a.0 == nm => a.1,
+            (Some(a), None) if a.0 == to => a.1,
             (Some(end), None) | (None, Some(end)) => self.outside.beyond(end.1),
             (None, None) => 0.0,
         }
@@ -209,12 +218,12 @@ impl Lines<'_> {
     fn average(&mut self, low: f32, high: f32) -> f32 {
         let (mut from, mut first, mut sum) = (low, None, 0.0);
         while from < high {
-            // Put `next` above `from`, then read the middle of the piece: a straight line's mean.
+            // Put `next` above `from`: the piece ends there, or with the bin.
             self.at(from);
             let to = self.samples.get(self.next).map_or(high, |s| s.0.min(high));
-            let middle = self.at(from + (to - from) / 2.0);
-            let reference = *first.get_or_insert(middle);
-            sum += (to - from) * (middle - reference);
+            let mean = self.mean(from, to);
+            let reference = *first.get_or_insert(mean);
+            sum += (to - from) * (mean - reference);
             from = to;
         }
         first.unwrap_or(0.0) + sum / (high - low)

@@ -158,7 +158,7 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// The largest value; NaN if there is one.
     #[must_use]
     pub fn peak(&self) -> f32 {
-        self.0.iter().fold(f32::NEG_INFINITY, |peak, v| if *v <= peak { peak } else { *v })
+        self.0.iter().fold(f32::NEG_INFINITY, |peak, v| if *v <= peak || peak.is_nan() { peak } else { *v })
     }
 }
 

@@ -93,10 +93,15 @@ impl Bench {
 
     /// All numbers about a spectrum.
     pub fn measure(&self, source: &Source) -> Result<Reading, Failure> {
-        match &self.room {
+        let mut reading = match &self.room {
             Some(room) => surface::measure(self, room, source),
             None => lamp::measure(self, source),
+        }?;
+        reading.explain_the_rest();
+        if reading.xyz.iter().any(|value| !value.is_finite()) {
+            return Err(source.wrong("its sums are beyond all numbers; check the values and the unit"));
         }
+        Ok(reading)
     }
 
     /// The same, and the difference to the spectrum of `--compare`.
@@ -179,7 +184,7 @@ impl Reading {
             reading.purity = Some(dominant.purity);
         } else {
             reading.purity = Some(0.0);
-            reading.missing(&["dominant_wavelength_nm"], "within 0.0001 of the white it is seen against");
+            reading.missing(&["dominant_wavelength_nm"], "within 0.00001 of the white it is seen against");
         }
         reading
     }
@@ -193,6 +198,28 @@ impl Reading {
         self.hex = Some(format!("#{r:02x}{g:02x}{b:02x}"));
         // What rounding leaves beyond the gamut of a white is not worth a word.
         color.to_array().iter().zip(clipped.to_array()).all(|(a, b)| (a - b).abs() <= 1e-5)
+    }
+
+    /// A reason for whatever is still missing one: values so extreme that a formula has no result.
+    fn explain_the_rest(&mut self) {
+        let missing = [
+            ("xy", self.xy.is_none()),
+            ("uv1960", self.uv1960.is_none()),
+            ("uv1976", self.uv1976.is_none()),
+            ("cct_k", self.cct_k.is_none()),
+            ("duv", self.duv.is_none()),
+            ("lab", self.lab.is_none()),
+            ("srgb", self.srgb.is_none()),
+            ("purity", self.purity.is_none()),
+            ("cri_ra", self.cri_ra.is_none()),
+            ("tm30_rf", self.tm30_rf.is_none()),
+            ("delta_e2000", self.delta_e2000.is_none()),
+        ];
+        for (key, is_missing) in missing {
+            if is_missing && !self.notes.iter().any(|note| note.key == key) {
+                self.note(key, "not defined for a spectrum with such negative values");
+            }
+        }
     }
 
     fn note(&mut self, key: &str, text: impl Into<String>) {

@@ -1,0 +1,55 @@
+//! Reading between samples whose wavelengths f32 cannot hold.
+//!
+//! The crate takes wavelengths in f32, which are exact for whole, half and quarter nanometres. A pixel at
+//! 546.0761 nm is rounded by up to 3e-5 nm there, and beside a narrow line that is 3e-5 of XYZ; so a file with
+//! such wavelengths is read in f64, by the same two rules.
+
+use nanospectra::Interpolation;
+
+/// Does f32 round one of the wavelengths?
+pub fn is_needed(samples: &[(f64, f64)]) -> bool {
+    samples.iter().any(|(nm, _)| f64::from(*nm as f32) != *nm)
+}
+
+/// The value at `nm`; `None` outside the samples. (For Sprague's rule they are regular, six or more.)
+pub fn at(samples: &[(f64, f64)], nm: f64, by: Interpolation) -> Option<f64> {
+    let (first, last) = (samples.first()?, samples.last()?);
+    if !(first.0..=last.0).contains(&nm) {
+        return None;
+    }
+    let above = samples.partition_point(|sample| sample.0 <= nm).min(samples.len() - 1);
+    let (a, b) = (samples[above - 1], samples[above]);
+    let t = (nm - a.0) / (b.0 - a.0);
+    Some(match by {
+        Interpolation::Linear => a.1 + (b.1 - a.1) * t,
+        Interpolation::Sprague => {
+            let step = (last.0 - first.0) / (samples.len() - 1) as f64;
+            let cell = above - 1;
+            sprague(samples, cell, (nm - first.0) / step - cell as f64)
+        }
+    })
+}
+
+/// CIE 167:2005, between samples `cell` and `cell + 1`.
+fn sprague(samples: &[(f64, f64)], cell: usize, t: f64) -> f64 {
+    let n = samples.len();
+    // From two before the cell to two behind it; beyond an end the boundary formula stands in.
+    let p: [f64; 6] = std::array::from_fn(|j| match (cell + j).checked_sub(2) {
+        None => beyond(1 - (cell + j), |k| samples[k].1),
+        Some(k) if k >= n => beyond(k - n, |k| samples[n - 1 - k].1),
+        Some(k) => samples[k].1,
+    });
+    let a1 = (2.0 * p[0] - 16.0 * p[1] + 16.0 * p[3] - 2.0 * p[4]) / 24.0;
+    let a2 = (-p[0] + 16.0 * p[1] - 30.0 * p[2] + 16.0 * p[3] - p[4]) / 24.0;
+    let a3 = (-9.0 * p[0] + 39.0 * p[1] - 70.0 * p[2] + 66.0 * p[3] - 33.0 * p[4] + 7.0 * p[5]) / 24.0;
+    let a4 = (13.0 * p[0] - 64.0 * p[1] + 126.0 * p[2] - 124.0 * p[3] + 61.0 * p[4] - 12.0 * p[5]) / 24.0;
+    let a5 = (-5.0 * p[0] + 25.0 * p[1] - 50.0 * p[2] + 50.0 * p[3] - 25.0 * p[4] + 5.0 * p[5]) / 24.0;
+    p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5))))
+}
+
+/// The sample `steps + 1` steps beyond an end (0 or 1), from the six inside it, nearest first.
+fn beyond(steps: usize, inside: impl Fn(usize) -> f64) -> f64 {
+    let weights =
+        [[508.0, -540.0, 488.0, -367.0, 144.0, -24.0], [884.0, -1960.0, 3033.0, -2648.0, 1080.0, -180.0]];
+    weights[steps].iter().enumerate().map(|(k, weight)| weight * inside(k)).sum::<f64>() / 209.0
+}

@@ -1,0 +1,128 @@
+//! What must not compile, and what the compiler then says: spectra on different grids, grids that are none, a
+//! light applied twice.
+
+mod programs;
+
+use programs::Package;
+use std::process::Output;
+
+/// Program, source, and what its error must say.
+const REFUSED: [(&str, &str, &[&str]); 10] = [
+    (
+        "adds_two_grids",
+        "use nanospectra::{Bins, Light};
+        fn main() {
+            let sum = Light::<16>::flat(1.0) + Light::<16, Bins<400, 700>>::flat(1.0);
+            println!(\"{sum:?}\");
+        }",
+        &["mismatched types", "Bins<380, 730>", "Bins<400, 700>"],
+    ),
+    (
+        "adds_two_sizes",
+        "use nanospectra::Light;
+        fn main() { println!(\"{:?}\", Light::<16>::flat(1.0) + Light::<31>::flat(1.0)); }",
+        &["mismatched types", "16", "31"],
+    ),
+    (
+        "shows_another_grid",
+        "use nanospectra::{Curve, Nodes, Observer, Power, Light, observer::CIE_1931};
+        fn main() {
+            let eye: Observer<3, 36, Power> = CIE_1931.fold(Curve::Step);
+            println!(\"{:?}\", eye.sees(&Light::<36, Nodes<380, 730>>::flat(1.0)));
+        }",
+        &["mismatched types", "Nodes<380, 730>"],
+    ),
+    (
+        "shows_a_lamp_to_a_folded_eye",
+        "use nanospectra::{Curve, Light, Observer, light::L41, observer::CIE_1931};
+        fn main() {
+            let eye: Observer<3, 16> = CIE_1931.under(&L41).fold(Curve::Spline);
+            println!(\"{:?}\", eye.sees(&Light::<16>::flat(1.0)));
+        }",
+        &["mismatched types", "Factor", "Power"],
+    ),
+    (
+        "lights_an_eye_twice",
+        "use nanospectra::{light::L41, observer::CIE_1931};
+        fn main() { println!(\"{:?}\", CIE_1931.under(&L41).under(&L41).row_sums()); }",
+        &["under", "Factor", "Power"],
+    ),
+    (
+        "sums_the_power_of_a_surface",
+        "use nanospectra::Reflectance;
+        fn main() { println!(\"{}\", Reflectance::<16>::flat(0.5).power()); }",
+        &["power", "Factor", "Power"],
+    ),
+    (
+        "ends_before_it_starts",
+        "use nanospectra::{Bins, Light};
+        fn main() { println!(\"{:?}\", Light::<16, Bins<730, 380>>::flat(1.0)); }",
+        &["a grid must end above its start"],
+    ),
+    (
+        "ends_where_it_starts",
+        "use nanospectra::{Light, Nodes};
+        fn main() { println!(\"{:?}\", Light::<16, Nodes<500, 500>>::flat(1.0)); }",
+        &["a grid must end above its start"],
+    ),
+    (
+        "has_no_bands",
+        "use nanospectra::Light;
+        fn main() { println!(\"{:?}\", Light::<0>::flat(1.0)); }",
+        &["a spectrum needs at least one band"],
+    ),
+    (
+        "has_one_node",
+        "use nanospectra::{Light, Nodes};
+        fn main() { println!(\"{:?}\", Light::<1, Nodes<380, 780>>::from_bins([1.0])); }",
+        &["one band has no spacing: use Bins for it"],
+    ),
+];
+
+/// Shows that the others do not fail for want of something else.
+const ACCEPTED: &str = "
+use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, light::L41, observer::CIE_1931};
+fn main() {
+    let eye: Observer<3, 16> = CIE_1931.under(&L41).fold(Curve::Spline);
+    println!(\"{:?}\", eye.sees(&Reflectance::flat(1.0)));
+    let eye: Observer<3, 1, Power, Bins<400, 700>> = CIE_1931.fold(Curve::Step);
+    println!(\"{:?}\", eye.sees(&(Light::flat(1.0) + Light::flat(1.0))));
+}
+";
+
+/// The errors of `cargo .. --message-format json`, as a terminal shows them: (program, text).
+fn errors(output: &Output) -> Vec<(String, String)> {
+    let lines = String::from_utf8_lossy(&output.stdout).into_owned();
+    let mut found = Vec::new();
+    for line in lines.lines() {
+        let message: serde_json::Value = serde_json::from_str(line).expect("cargo prints JSON");
+        if message["message"]["level"] == "error" {
+            let text = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_string();
+            found.push((text(&message["target"]["name"]), text(&message["message"]["rendered"])));
+        }
+    }
+    found
+}
+
+#[test]
+fn what_makes_no_sense_does_not_build_and_the_message_says_why() {
+    let mut programs: Vec<(&str, &str)> = REFUSED.iter().map(|(name, source, _)| (*name, *source)).collect();
+    programs.push(("accepted", ACCEPTED));
+    let package = Package::using_the_crate("refusals", &programs);
+    // Bad grids die when code is generated, so this builds and does not only check.
+    let output = package.cargo(&["build", "--keep-going", "--message-format", "json"]);
+    assert!(!output.status.success(), "all of them built");
+    let errors = errors(&output);
+    assert!(!errors.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    for (name, _, says) in REFUSED {
+        let text: String =
+            errors.iter().filter(|(program, _)| program == name).map(|(_, text)| text.as_str()).collect();
+        assert!(!text.is_empty(), "{name} was built");
+        for phrase in says {
+            assert!(text.contains(phrase), "{name}: the message does not say '{phrase}':\n{text}");
+        }
+    }
+    let wrong: Vec<_> = errors.iter().filter(|(program, _)| program == "accepted").collect();
+    assert!(wrong.is_empty(), "{wrong:?}");
+    assert!(package.folder.join("target/debug/accepted").exists(), "the good program was not built");
+}
