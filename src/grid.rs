@@ -56,12 +56,15 @@ impl<G: Grid, const N: usize> Layout<G, N> {
     pub(crate) const WIDTH: f64 = {
         assert!(N >= 1, "a spectrum needs at least one band");
         assert!(G::FIRST >= 0.0 && G::FIRST < G::LAST, "a grid must end above its start");
-        if G::CENTRED {
+        assert!(G::LAST <= 1e6, "a grid must end below a millimetre");
+        let width = if G::CENTRED {
             assert!(N >= 2, "one band has no spacing: use Bins for it");
             (G::LAST - G::FIRST) / (N - 1) as f64
         } else {
             (G::LAST - G::FIRST) / N as f64
-        }
+        };
+        assert!(width * 1e6 >= G::LAST, "bins this narrow have edges that f32 cannot tell apart");
+        width
     };
 
     /// The lower edge of the first bin, in nm.

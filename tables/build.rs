@@ -85,6 +85,7 @@ fn generate() -> Result<(), String> {
     let (mut text, mut names) = (String::new(), String::new());
     for (file, suffix) in ILLUMINANTS {
         let table = Table::read(&tables.join("illuminants").join(file).with_extension("csv"))?;
+        table.demand_between(0.0, 1e6)?;
         illuminants(&mut text, &mut names, suffix, &table);
     }
     let components = Table::read(&tables.join("illuminants").join(DAYLIGHT).with_extension("csv"))?;
@@ -116,7 +117,7 @@ fn observer(text: &mut String, name: &str, rows: &str, table: &Table) -> Result<
     let _ = writeln!(text, "{}///\n/// Rows: {rows}; zero where CIE tabulates nothing.", table.docs());
     let _ = writeln!(text, "pub static {name}: FineObserver<{channels}> = Observer::from_rows([");
     for column in &table.columns {
-        let _ = writeln!(text, "    {},", numbers(&table.on_cie_grid(column)));
+        let _ = writeln!(text, "    {},", numbers(&table.on_cie_grid(column)?));
     }
     let _ = writeln!(text, "]);");
     Ok(())

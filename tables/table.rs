@@ -72,8 +72,8 @@ impl Table {
                     number.parse::<f64>().map_err(|_| format!("'{number}' is not a number; correct it"))?
                 }
             };
-            if !value.is_finite() {
-                return Err(format!("{value} is not a finite number; correct it"));
+            if !(value as f32).is_finite() {
+                return Err(format!("{value} is not a finite number in f32; correct it"));
             }
             column.push(if value.abs() < TAIL { 0.0 } else { value });
         }
@@ -142,12 +142,15 @@ impl Table {
     }
 
     /// A column of a 1 nm table on 360..=830 nm, zero where it has no row.
-    pub fn on_cie_grid(&self, column: &[f64]) -> Vec<f64> {
+    pub fn on_cie_grid(&self, column: &[f64]) -> Result<Vec<f64>, String> {
         let mut wide = vec![0.0; 471];
-        for (value, nm) in column.iter().zip(&self.wavelengths) {
-            wide[usize::from(*nm) - 360] = *value;
+        for ((value, nm), line) in column.iter().zip(&self.wavelengths).zip(&self.lines) {
+            let slot = nm.checked_sub(360).and_then(|k| wide.get_mut(usize::from(k)));
+            *slot.ok_or_else(|| {
+                format!("{}:{line}: {nm} nm is outside 360..830; remove the row", self.path.display())
+            })? = *value;
         }
-        wide
+        Ok(wide)
     }
 
     /// Doc lines: what the table is, who published it, under which licence.

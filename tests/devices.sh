@@ -270,6 +270,24 @@ for target in $m4f $m0 $rv32; do
     device_costs $target small
 done
 
+# Every run-time step in one image: it links only if none of them can panic.
+no_panic() {
+    local label="$m4f $1, every step in one image" why
+    why=$(missing_for $m4f)
+    if [[ -n $why ]]; then
+        skip "$label: $why"
+        return
+    fi
+    if firmware "$label" build --quiet --profile "$1" --bin no_panic --target $m4f; then
+        pass "$label: links without a panic"
+        have nm || { skip "$label: nm is not installed"; return; }
+        lacks "$label" "$CARGO_TARGET_DIR/$m4f/$1/no_panic" "core::fmt" "$text"
+        lacks "$label" "$CARGO_TARGET_DIR/$m4f/$1/no_panic" "soft f64" "$f64"
+    fi
+}
+no_panic release
+no_panic small
+
 while read -r profile what limit; do
     [[ -n $profile ]] || continue
     number=$(awk -v row="$m4f $profile $what" '$1 " " $2 " " $3 == row { print $4 }' "$costs")

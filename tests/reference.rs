@@ -228,6 +228,25 @@ fn dominant_wavelengths_lie_on_the_ray_from_the_white() {
 }
 
 #[test]
+fn every_laser_is_its_own_dominant_wavelength() {
+    let equal_energy = Xy::new(1.0 / 3.0, 1.0 / 3.0);
+    for eye in [&CIE_1931, &CIE_1964, &CIE_2015_2, &CIE_2015_10] {
+        let [x, y, z] = eye.weights();
+        let mut lasers = 0;
+        for k in 20..471 {
+            let Some(xy) = Xyz::new(x[k], y[k], z[k]).xy() else { continue };
+            let (nm, found) = (360.0 + k as f32, dominant_wavelength(xy, equal_energy, eye));
+            let found = found.unwrap_or_else(|| panic!("{nm} nm has no dominant wavelength"));
+            assert!(found.nm > 0.0 && found.purity <= 1.0, "{nm} nm: {found:?}");
+            // Beyond these the locus folds back, and two wavelengths have one hue.
+            assert!(!(410.0..=690.0).contains(&nm) || (found.nm - nm).abs() < 0.5, "{nm} nm: {found:?}");
+            lasers += 1;
+        }
+        assert!(lasers >= 441, "{lasers} lasers");
+    }
+}
+
+#[test]
 fn surfaces_under_lights_have_their_xyz() {
     let mut check = check("surfaces under lights");
     let mut rows = 0;

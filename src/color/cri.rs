@@ -26,7 +26,8 @@ pub struct Cri {
 
 /// The CIE 1974 test colour method, unrounded.
 ///
-/// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there; 1 nm
+/// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there, above 25000 K by
+/// the same formula; 1 nm
 /// sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer.
 ///
 /// # Accuracy

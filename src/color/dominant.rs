@@ -7,6 +7,8 @@ use crate::observer::FineObserver;
 const ACHROMATIC: f32 = 1e-5;
 /// Cuts as far out as this share of the outermost are the same one, seen twice.
 const SAME_CUT: f32 = 0.999;
+/// A ray this near to a node of the locus, in radians, may touch it.
+const TOUCH: f32 = 1e-4;
 /// Beyond about 410 and 690 nm the locus folds back on itself; of two cuts there the one nearer to this, in nm,
 /// is the colour that one sees.
 const MIDDLE_NM: f32 = 555.0;
@@ -23,7 +25,7 @@ pub struct Dominant {
 }
 
 /// The dominant wavelength and purity of `sample` as seen against `white`; `None` if it is
-/// within 1e-5 of the white, or not a number.
+/// within 1e-5 of the white, or not a number. The white must be a real colour, inside the locus.
 ///
 /// The ray from the white through the sample is cut with the spectrum locus of `eye`, straight
 /// between its 1 nm nodes, or with the purple line between its ends.
@@ -53,8 +55,17 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     if let Some((nm, reach)) = locus.cut(ray) {
         return Some(Dominant { nm, purity: share(length, reach) });
     }
+    // A deep red or violet light lies on the fold at an end of the locus, where a ray that just touches it
+    // cuts nothing; and the fold bulges beyond the purple line.
+    let purple = locus.purple(ray);
+    let (touched, reach, angle) = locus.nearest(ray)?;
+    let is_beyond = |purple: f32| length > purple * (1.0 + TOUCH);
+    let is_on_both = |purple: f32| angle < TOUCH && length > purple * (1.0 - 1e-6);
+    if purple.is_none_or(|purple| is_beyond(purple) || is_on_both(purple)) {
+        return Some(Dominant { nm: touched, purity: share(length, reach) });
+    }
     let (nm, _) = locus.cut([-ray[0], -ray[1]])?;
-    Some(Dominant { nm: -nm, purity: share(length, locus.purple(ray)?) })
+    Some(Dominant { nm: -nm, purity: share(length, purple?) })
 }
 
 /// A purity; what rounding puts beyond a spectral colour's 1 is taken off.
@@ -107,6 +118,14 @@ impl Locus<'_> {
             }
         }
         found
+    }
+
+    /// The node that the ray passes at the smallest angle: its wavelength, distance as in [`cut`](Self::cut),
+    /// and the tangent of that angle.
+    fn nearest(&self, ray: [f32; 2]) -> Option<(f32, f32, f32)> {
+        let ahead = self.nodes().map(|(nm, node)| (nm, dot(ray, node), cross(ray, node).abs()));
+        let angles = ahead.filter(|node| node.1 > 0.0).map(|(nm, reach, off)| (nm, reach, off / reach));
+        angles.reduce(|best, node| if node.2 < best.2 { node } else { best })
     }
 
     /// The same distance for the purple line.

@@ -127,7 +127,8 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
         self.through(surface)
     }
 
-    /// Every weight times `k`: from W to lm with [`KM`](crate::observer::KM), to another unit.
+    /// Every weight times `k`: from W to lm with [`KM`](crate::observer::KM), to another unit. Computes in f64:
+    /// for `const` use, as [`mixed`](Self::mixed) and [`with_white_y`](Observer::with_white_y).
     #[must_use]
     pub const fn scaled(&self, k: f64) -> Self {
         let mut weights = self.0;

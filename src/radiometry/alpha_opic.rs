@@ -64,11 +64,22 @@ impl AlphaOpic {
         (lux > 0.0).then(|| Self::from_array(Self::of(light).edi().to_array().map(|edi| edi / lux)))
     }
 
-    const fn to_array(self) -> [f32; 5] {
+    /// S cones, M cones, L cones, rods, melanopsin.
+    #[must_use]
+    pub const fn to_array(self) -> [f32; 5] {
         [self.s_cone, self.m_cone, self.l_cone, self.rhodopic, self.melanopic]
     }
 
-    const fn from_array([s_cone, m_cone, l_cone, rhodopic, melanopic]: [f32; 5]) -> Self {
+    /// From what an observer folded from [`ALPHA_OPIC`] reports: the way for a device with few bands.
+    ///
+    /// ```
+    /// # use nanospectra::{Curve, Light, Observer, Power, observer::ALPHA_OPIC, radiometry::AlphaOpic};
+    /// static EYE: Observer<5, 16, Power> = ALPHA_OPIC.fold(Curve::Step);
+    /// let flat = AlphaOpic::from_array(EYE.sees(&Light::flat(0.001)));
+    /// assert!(flat.edi().melanopic > 50.0);
+    /// ```
+    #[must_use]
+    pub const fn from_array([s_cone, m_cone, l_cone, rhodopic, melanopic]: [f32; 5]) -> Self {
         AlphaOpic { s_cone, m_cone, l_cone, rhodopic, melanopic }
     }
 }

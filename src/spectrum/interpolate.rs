@@ -42,7 +42,9 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
                 outside.beyond(self.0[N - 1])
             } else {
                 let place = Place::of(nm - first, step, N, by);
-                let (reference, mut sum, mut j) = (self.0[place.reference], 0.0, 0);
+                // (The index is below N; saying so keeps the panic out of an image.)
+                let reference = if place.reference < N { self.0[place.reference] } else { 0.0 };
+                let (mut sum, mut j) = (0.0, 0);
                 while j < 6 && place.start + j < N {
                     // Zero times a NaN is a NaN: what has no weight must not count.
                     if place.weights[j] != 0.0 {
@@ -117,7 +119,7 @@ impl Place {
                     weights[5 - i] += quintic[j] * outer[i];
                     i += 1;
                 }
-            } else {
+            } else if k - 2 - start < 6 {
                 weights[k - 2 - start] += quintic[j];
             }
             j += 1;

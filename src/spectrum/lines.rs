@@ -16,6 +16,7 @@ impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
     /// let lost = sodium.add_line(589.0, 1.0) + sodium.add_line(589.6, 0.5);
     /// assert_eq!((sodium.power(), lost), (1.5, 0.0));
     /// ```
+    #[must_use = "the power that fell outside the grid"]
     pub fn add_line(&mut self, nm: f32, power: f32) -> f32 {
         if nm.is_nan() {
             return power;

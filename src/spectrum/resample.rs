@@ -27,10 +27,10 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Spectrum::from_bins(values)
     }
 
-    /// The average over `low..high`, where `k` is the first bin that ends above `low`. Summed as
-    /// deviations from the first piece, so that a constant stays exactly that.
+    /// The average over `low..high`, where `k` is the first bin that ends above `low`. Pieces of one value
+    /// have exactly that average.
     fn average(&self, mut k: usize, low: i64, high: i64, outside: Outside) -> f32 {
-        let (mut from, mut first, mut sum) = (low, None, 0.0);
+        let (mut from, mut first, mut all_equal, mut sum) = (low, None, true, 0.0);
         while from < high {
             let (to, value) = if from < Layout::<G, N>::edge_units(0) {
                 (Layout::<G, N>::edge_units(0), outside.beyond(self.0.first().copied().unwrap_or(0.0)))
@@ -41,10 +41,10 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
                 (high, outside.beyond(self.0.last().copied().unwrap_or(0.0)))
             };
             let to = if to < high { to } else { high };
-            let reference = *first.get_or_insert(value);
-            sum += (to - from) as f32 * (value - reference);
+            all_equal &= *first.get_or_insert(value) == value;
+            sum += (to - from) as f32 * value;
             from = to;
         }
-        first.unwrap_or(0.0) + sum / (high - low) as f32
+        if all_equal { first.unwrap_or(0.0) } else { sum / (high - low) as f32 }
     }
 }

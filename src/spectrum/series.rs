@@ -93,7 +93,7 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
     }
 
     /// From a smooth function of the wavelength in nm, averaged over each bin by three Gauss
-    /// points: exact for quintics, so wide bins of a black body are good to f32.
+    /// points: exact for quintics. 16 bins of a black body are good to 3e-7 at 2856 K, 5e-6 at 1000 K.
     ///
     /// ```
     /// # use nanospectra::{Light, light::blackbody};

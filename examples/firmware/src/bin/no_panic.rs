@@ -1,0 +1,70 @@
+//! Every run-time step of the crate in one image that does not link if one of them can panic.
+//!
+//! `tests/devices.sh` links it for the Cortex-M4F at both optimisation levels and looks for soft f64 in it. (It
+//! is not run: `bits` computes the results.)
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use nanospectra::color::{
+    Adaptation, Bradford, Lab, Rgb, Srgb, Xy, Xyz, cie94, ciede2000, cmc, cri, dominant_wavelength, tm30,
+};
+use nanospectra::light::{D65, FL11, blackbody, daylight};
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd, scotopic_illuminance};
+use nanospectra::{Fine, Interpolation, Light, Outside, Power};
+
+static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    loop {
+        everything();
+    }
+}
+
+fn everything() {
+    let samples =
+        black_box([(380.0, 0.1), (450.0, 1.0), (460.0, 0.7), (555.5, 0.4), (620.0, 1.0), (780.0, 0.0)]);
+    for by in [Interpolation::Linear, Interpolation::Sprague] {
+        let _ = black_box(Fine::<Power>::interpolated(&samples, black_box(by), black_box(Outside::Hold)));
+        let lamp: Fine<Power> = black_box(&FL11).interpolate(black_box(by), Outside::Zero);
+        meaning(&lamp);
+    }
+    let mut lamp = Light::<31>::from_samples(&samples, Outside::Zero).unwrap_or(Light::flat(1.0));
+    let _ = black_box(lamp.add_line(black_box(589.0), 1.0));
+    let coarse: Light<16> = lamp.resample(black_box(Outside::Zero));
+    let hot = Light::<31>::averaged(|nm| blackbody(nm, black_box(2856.0)));
+    let mut reports = [[0.0; 3]; 2];
+    EYE.sees_each(&[lamp, hot + lamp * 0.5], &mut reports);
+    black_box((coarse, reports, coarse.power(), coarse.peak(), daylight(black_box(6500.0))));
+}
+
+/// Everything about a light, and about the colour it has.
+fn meaning(lamp: &Fine<Power>) {
+    black_box((cri(lamp).ok(), tm30(lamp).ok(), AlphaOpic::der(lamp), luminous_efficacy(lamp), ppfd(lamp)));
+    black_box((illuminance(lamp), scotopic_illuminance(&lamp.within(400.0, 700.0))));
+    let xyz = Xyz::from(CIE_1931.sees(lamp));
+    let (white, xy) = (black_box(Xyz::new(95.047, 100.0, 108.883)), xyz.xy().unwrap_or(Xy::new(0.3, 0.3)));
+    black_box((xyz.uv1960().map(|uv| uv.cct()), xyz.uv1976(), xyz.with_y(100.0)));
+    black_box(dominant_wavelength(xy, Xy::new(1.0 / 3.0, 1.0 / 3.0), &CIE_1931));
+    let (lab, grey) =
+        (xyz.lab(white).unwrap_or(Lab::new(50.0, 0.0, 0.0)), black_box(Lab::new(50.0, 1.0, 1.0)));
+    black_box((ciede2000(lab, grey), cmc(lab, grey, 2.0, 1.0), lab.lch().lab(), xyz.luv(white), xyz.oklab()));
+    black_box(cie94(lab, grey, nanospectra::color::Cie94::Textiles));
+    let adapted = Adaptation::between::<Bradford>(xyz, white).map(|to_white| to_white.apply(xyz));
+    let rgb = Rgb::<Srgb>::from_xyz_y100(adapted.unwrap_or(white));
+    black_box((rgb.clip().rgb.encode().to_u8(), rgb.dim(), rgb.desaturate().rgb.encode().decode()));
+    black_box(&D65);
+}
+
+unsafe extern "C" {
+    /// Defined nowhere: an image with a reachable panic does not link.
+    safe fn this_image_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    this_image_can_panic()
+}
