@@ -54,8 +54,9 @@ RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features
 
 step "tests, with the default features, as a release and with checks for overflow"
 cargo test --release
-cargo test --release --config 'profile.release.overflow-checks=true' --config 'profile.release.debug-assertions=true' \
-    --target-dir target/checked --lib --test hard_cases --test semantics --test properties
+checked='profile.release.package.nanospectra'
+cargo test --release --config "$checked.overflow-checks=true" --config "$checked.debug-assertions=true" \
+    --test hard_cases --test semantics --test properties
 step "tests, with every feature, then with none"
 cargo test --release --all-features
 cargo test --release --no-default-features

@@ -1,4 +1,5 @@
 //! Colour rendering against the goldens: CIE 13.3 and TM-30-18.
+#![cfg(feature = "libm")]
 
 mod allowed;
 mod model;

@@ -14,7 +14,7 @@ macro_rules! by_name {
         /// The illuminant of this name on the CIE's 1 nm grid, zero outside its table: `"D65"`, `"FL3.1"`,
         /// `"LED-B3"`, `"FL11_1NM"`, and `"E"` for equal energy.
         ///
-        /// A program that calls this contains every table, 180 KB; one that names a static has that one.
+        /// A program that calls this contains every table, 80 KB; one that names a static has that one.
         ///
         /// ```
         /// # use nanospectra::{Interpolation, light};
