@@ -55,13 +55,11 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     if let Some((nm, reach)) = locus.cut(ray) {
         return Some(Dominant { nm, purity: share(length, reach) });
     }
-    // A deep red or violet light lies on the fold at an end of the locus, where a ray that just touches it
-    // cuts nothing; and the fold bulges beyond the purple line.
+    // A deep red or violet light lies on the fold at an end of the locus, on or beyond the purple line, where a
+    // ray that just touches the fold cuts nothing.
     let purple = locus.purple(ray);
     let (touched, reach, angle) = locus.nearest(ray)?;
-    let is_beyond = |purple: f32| length > purple * (1.0 + TOUCH);
-    let is_on_both = |purple: f32| angle < TOUCH && length > purple * (1.0 - 1e-6);
-    if purple.is_none_or(|purple| is_beyond(purple) || is_on_both(purple)) {
+    if angle < TOUCH && purple.is_none_or(|purple| length > purple * (1.0 - 1e-6)) {
         return Some(Dominant { nm: touched, purity: share(length, reach) });
     }
     let (nm, _) = locus.cut([-ray[0], -ray[1]])?;
