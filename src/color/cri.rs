@@ -27,8 +27,7 @@ pub struct Cri {
 /// The CIE 1974 test colour method, unrounded.
 ///
 /// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there, above 25000 K by
-/// the same formula; 1 nm
-/// sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer.
+/// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer.
 ///
 /// # Accuracy
 /// Ra is within 3e-4 and each R within 1.3e-3 of f64, over 63 lamps (`tests/rendering.rs`).

@@ -34,7 +34,7 @@ pub struct HueBin {
     pub rf: f32,
     /// Local chroma shift, a fraction of the reference's chroma (0.1 is 10 % more).
     pub chroma_shift: f32,
-    /// Local hue shift, radians about.
+    /// Local hue shift, a fraction of the reference's chroma along the hue circle (nearly radians).
     pub hue_shift: f32,
     /// How many samples are in it.
     pub count: u8,
