@@ -1,6 +1,7 @@
 //! The colorimeter example from outside: what it reads, prints, and refuses.
 
 mod cli;
+mod model;
 
 use cli::*;
 use serde_json::Value;
@@ -319,5 +320,21 @@ fn wavelengths_that_f32_would_round_are_read_as_they_are() {
     // By the rule in f64: 546 nm reads 0.825 and nothing else is on a whole nanometre.
     for (value, expected) in numbers(&found["XYZ"]).into_iter().zip([210.787_543, 554.513_089, 6.934_837]) {
         assert!((value / expected - 1.0).abs() < 3e-7, "{value} for {expected}");
+    }
+}
+
+#[test]
+fn sprague_reads_such_wavelengths_as_the_model_does() {
+    let lamp = model::tables::source("FL11");
+    let shifted = model::interpolation::Samples::new(380.1, 5.0, lamp.values.clone());
+    let lines: String = shifted.points().iter().map(|(nm, value)| format!("{nm:.1} {value}\n")).collect();
+    let found = &json_with(&lines, &["-", "--interpolation", "sprague"])[0];
+    let (expected, _) = model::tristimulus::xyz_of_light(
+        &shifted,
+        model::tables::Observer::Cie1931,
+        model::tristimulus::Method::SpragueZero,
+    );
+    for (value, expected) in numbers(&found["XYZ"]).into_iter().zip(expected) {
+        assert!((value / expected - 1.0).abs() < 5e-7, "{value} for {expected}");
     }
 }
