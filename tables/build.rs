@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+mod fixed_locus;
 mod locus;
 mod table;
 
@@ -102,6 +103,7 @@ fn generate() -> Result<(), String> {
     save(&out.join("samples.rs"), &text)?;
 
     let cmf = Table::read(&tables.join("cmf/cie_1931_2deg_xyz_1nm.csv"))?;
+    save(&out.join("fixed_locus.rs"), &fixed_locus::source(&cmf))?;
     save(&out.join("locus.rs"), &locus::source(&cmf))
 }
 

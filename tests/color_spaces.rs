@@ -13,6 +13,7 @@ use model::linear::apply;
 use model::tables::{Observer, source};
 use model::tristimulus::xyz_of_surface;
 use nanospectra::color::{AcesCg, Adaptation, Bradford, Lab, Luv, Oklab, Rgb, RgbSpace, Srgb, Xyz};
+use nanospectra::math::Fast;
 use proptest::prelude::*;
 
 const D65: Xyz = Srgb::WHITE_XYZ;
@@ -50,6 +51,7 @@ fn lab_and_luv_of_surfaces_agree() {
         "Lab of surfaces, model",
         "Luv of surfaces, golden 04",
         "Luv of surfaces, model",
+        "Lab by Fast, of surfaces",
     ]
     .map(check);
     for row in golden("04_reflectance_colorimetry").rows() {
@@ -62,6 +64,8 @@ fn lab_and_luv_of_surfaces_agree() {
         all[1].add_all(&place, lab, model::lab::lab(wide(color), wide(white)));
         all[2].add_all(&place, luv, row.numbers(["Luv_L", "u", "v"]));
         all[3].add_all(&place, luv, model::lab::luv(wide(color), wide(white)));
+        let fast = lab_array(color.lab_with::<Fast>(white).expect("a white"));
+        all[4].add_all(&place, fast, model::lab::lab(wide(color), wide(white)));
     }
     all.into_iter().for_each(|check| check.tight(3 * 1752));
 }

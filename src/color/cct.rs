@@ -5,18 +5,13 @@ use crate::math::sqrt;
 
 include!(concat!(env!("OUT_DIR"), "/locus.rs"));
 
-/// Segments of the locus table, and the mired at the end of the last one.
+/// Segments of the locus table.
 const SEGMENTS: usize = LOCUS.len() - 1;
-const COLDEST_MIRED: f32 = 1000.0;
-/// Knot k is at k^2 times this.
-const MIRED_SCALE: f32 = COLDEST_MIRED / (SEGMENTS * SEGMENTS) as f32;
-const HOTTEST_MIRED: f32 = 1.0;
-/// What rounding of u, v may put a point beyond an end of the range, in mired.
-const SLACK_MIRED: f32 = 0.01;
-/// CIE 15: a correlated colour temperature has no meaning further than this from the locus. (Its
-/// radius of curvature goes down to 0.1001 there, and points beyond that have no nearest one.)
-const MAX_DUV: f32 = 0.05;
-const DUV_SLACK: f32 = 2e-7;
+
+/// CIE 15: a correlated colour temperature has no meaning further than this from the locus, with room for the
+/// rounding of u and v. (Its radius of curvature goes down to 0.1001 there, and points beyond that have no nearest
+/// one.)
+const MAX_DUV: f32 = 0.05 + 2e-7;
 
 /// The outcome of asking for a correlated colour temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,14 +52,14 @@ impl Uv1960 {
     /// today's constants reads 1.6e-5 of T higher. NaN gives NaN.
     ///
     /// # Accuracy
-    /// 0.015 mired and 2e-7 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (swept in `tests/cct.rs`);
-    /// 0.015 mired are 0.6 K at 6500 K.
+    /// 0.009 mired and 2e-7 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (swept in `tests/cct.rs`);
+    /// 0.009 mired are 0.4 K at 6500 K.
     ///
     /// # Cost
-    /// 496 bytes of table; a binary search, two Newton steps and one square root.
+    /// 400 bytes of table; a search by halves, one Newton step and one square root.
     ///
     /// # Reference
-    /// CIE 15:2018, 9.5; Ohno, Leukos 10 (2014) for Duv. The locus is a Hermite curve through 31
+    /// CIE 15:2018, 9.5; Ohno, Leukos 10 (2014) for Duv. The locus is a Hermite curve through 25
     /// knots made from the CIE 1931 functions when the crate is built.
     ///
     /// ```
@@ -75,36 +70,50 @@ impl Uv1960 {
     /// assert_eq!(Xy::new(0.15, 0.70).uv1960().cct(), Cct::OffLocus); // a green
     /// ```
     #[must_use]
+    #[inline]
     pub fn cct(self) -> Cct {
-        if self.u.is_nan() || self.v.is_nan() {
-            return Cct::Near { cct_k: f32::NAN, duv: f32::NAN };
-        }
-        if self.u.is_infinite() || self.v.is_infinite() {
-            return Cct::OffLocus;
-        }
-        let (mired, duv) = if along(0, self) < 0.0 {
-            beyond(0, self)
-        } else if along(SEGMENTS, self) > 0.0 {
-            beyond(SEGMENTS, self)
-        } else {
-            // The knots' normals do not cross where a temperature is defined: halve.
-            let (mut segment, mut stride) = (0, 16);
-            while stride > 0 {
-                if segment + stride < SEGMENTS && along(segment + stride, self) >= 0.0 {
-                    segment += stride;
-                }
-                stride /= 2;
+        // The knots' normals do not cross where a temperature is defined: halve.
+        let (mut segment, mut left) = (0, SEGMENTS);
+        while left > 1 {
+            let half = left / 2;
+            if LOCUS.get(segment + half).is_some_and(|knot| along(knot, self) >= 0.0) {
+                segment += half;
             }
-            Segment::of(segment).nearest(self)
+            left -= half;
+        }
+        let Some([from, to]) = LOCUS.get(segment..).and_then(|rest| rest.first_chunk()) else {
+            return Cct::OffLocus; // never: segment < SEGMENTS
         };
-        if duv.is_nan() || duv.abs() > MAX_DUV + DUV_SLACK {
-            Cct::OffLocus
-        } else if mired > COLDEST_MIRED + SLACK_MIRED {
-            Cct::TooCold
-        } else if mired < HOTTEST_MIRED - SLACK_MIRED {
-            Cct::TooHot
+        let (first, last) = (along(from, self), along(to, self));
+        // Only the two ends of the table have a point on neither side.
+        if first < 0.0 {
+            return self.beyond(from, Cct::TooHot);
+        }
+        if last > 0.0 {
+            return self.beyond(to, Cct::TooCold);
+        }
+        // A point divides the way between two normals nearly as it divides the segment.
+        let (s, duv) = Segment::between(from, to).nearest(self, first / (first - last));
+        if duv.abs() <= MAX_DUV {
+            let place = segment as f32 + s;
+            Cct::Near { cct_k: 1e6 / (FIRST + place * (LINEAR + CUBIC * place * place)), duv }
+        } else if self.u.is_nan() || self.v.is_nan() {
+            Cct::Near { cct_k: f32::NAN, duv: f32::NAN }
         } else {
-            Cct::Near { cct_k: 1e6 / mired, duv }
+            Cct::OffLocus
+        }
+    }
+
+    /// A point beyond an end of the table: `reason`, if it is near the tangent there.
+    #[cold]
+    #[inline(never)]
+    fn beyond(self, end: Knot, reason: Cct) -> Cct {
+        let [u, v, _, steepness] = *end;
+        let across = (self.v - v) - (self.u - u) * steepness;
+        if across * across <= MAX_DUV * MAX_DUV * (1.0 + steepness * steepness) {
+            reason
+        } else {
+            Cct::OffLocus
         }
     }
 }
@@ -115,64 +124,47 @@ struct Segment {
     tangent: [f32; 2],
     bend: [f32; 2],
     twist: [f32; 2],
-    /// Mired at the start, and across the segment.
-    mired: f32,
-    width: f32,
 }
 
-fn knot(k: usize) -> [f32; 4] {
-    LOCUS.get(k).copied().unwrap_or([0.0; 4])
-}
+/// u, v, du and dv/du.
+type Knot = &'static [f32; 4];
 
-/// How far along the locus `p` lies from knot `k`; the sign says on which side.
-fn along(k: usize, p: Uv1960) -> f32 {
-    let [u, v, du, dv] = knot(k);
-    (p.u - u) * du + (p.v - v) * dv
-}
-
-/// Mired and distance of a point beyond an end, from the tangent there.
-fn beyond(k: usize, p: Uv1960) -> (f32, f32) {
-    let [u, v, du, dv] = knot(k);
-    let speed = du * du + dv * dv;
-    let cross = (p.v - v) * du - (p.u - u) * dv;
-    (MIRED_SCALE * (k * k) as f32 + along(k, p) / speed, cross / sqrt(speed))
+/// How far along the locus `p` lies from knot `k`; the sign says on which side. (In units of the length of a
+/// tangent with du = 1, and u rises all along the locus.)
+#[inline(always)]
+fn along(knot: Knot, p: Uv1960) -> f32 {
+    let [u, v, _, steepness] = *knot;
+    (p.u - u) + (p.v - v) * steepness
 }
 
 impl Segment {
-    /// The cubic between knots `k` and `k + 1`.
-    fn of(k: usize) -> Self {
-        let width = MIRED_SCALE * (2 * k + 1) as f32;
-        let ([u0, v0, du0, dv0], [u1, v1, du1, dv1]) = (knot(k), knot(k + 1));
-        let (across, t0, t1) = ([u1 - u0, v1 - v0], [du0 * width, dv0 * width], [du1 * width, dv1 * width]);
-        let bend = |i: usize| 3.0 * across[i] - 2.0 * t0[i] - t1[i];
+    #[inline(always)]
+    fn between(from: Knot, to: Knot) -> Self {
+        let ([u0, v0, du0, steep0], [u1, v1, du1, steep1]) = (*from, *to);
+        let (across, t0, t1) = ([u1 - u0, v1 - v0], [du0, du0 * steep0], [du1, du1 * steep1]);
         let twist = |i: usize| t0[i] + t1[i] - 2.0 * across[i];
-        Segment {
-            start: [u0, v0],
-            tangent: t0,
-            bend: [bend(0), bend(1)],
-            twist: [twist(0), twist(1)],
-            mired: MIRED_SCALE * (k * k) as f32,
-            width,
-        }
+        let twist = [twist(0), twist(1)];
+        let bend = |i: usize| across[i] - t0[i] - twist[i];
+        Segment { start: [u0, v0], tangent: t0, bend: [bend(0), bend(1)], twist }
     }
 
-    /// Mired and signed distance of the nearest point: Newton on (locus - p) . tangent = 0.
-    fn nearest(&self, p: Uv1960) -> (f32, f32) {
-        let offset = [self.start[0] - p.u, self.start[1] - p.v];
-        let mut s = 0.5;
-        let mut step = 0;
-        loop {
-            let at = |i: usize| offset[i] + s * (self.tangent[i] + s * (self.bend[i] + s * self.twist[i]));
-            let slope = |i: usize| self.tangent[i] + s * (2.0 * self.bend[i] + 3.0 * s * self.twist[i]);
-            let curve = |i: usize| 2.0 * self.bend[i] + 6.0 * s * self.twist[i];
-            let (a, b) = ([at(0), at(1)], [slope(0), slope(1)]);
-            if step == 3 {
-                let cross = a[0] * b[1] - a[1] * b[0];
-                return (self.mired + s * self.width, cross / sqrt(b[0] * b[0] + b[1] * b[1]));
-            }
-            let speed = b[0] * b[0] + b[1] * b[1] + a[0] * curve(0) + a[1] * curve(1);
-            s -= (a[0] * b[0] + a[1] * b[1]) / speed;
-            step += 1;
-        }
+    /// Place and signed distance of the point nearest to `p`: one Newton step on (locus - p) . tangent = 0 from
+    /// `s`, which leaves 4e-4 mired; the Taylor series about `s` gives the point it leads to.
+    #[inline(always)]
+    fn nearest(&self, p: Uv1960, s: f32) -> (f32, f32) {
+        let at = |i: usize, p: f32| {
+            (self.start[i] - p) + s * (self.tangent[i] + s * (self.bend[i] + s * self.twist[i]))
+        };
+        let curve = |i: usize| self.bend[i] + 3.0 * s * self.twist[i]; // half of the second derivative
+        let slope = |i: usize| self.tangent[i] + s * (self.bend[i] + curve(i));
+        let (a, b, c) = ([at(0, p.u), at(1, p.v)], [slope(0), slope(1)], [curve(0), curve(1)]);
+        let speed = b[0] * b[0] + b[1] * b[1] + 2.0 * (a[0] * c[0] + a[1] * c[1]);
+        let back = (a[0] * b[0] + a[1] * b[1]) / speed;
+        let turn = [back * c[0], back * c[1]];
+        let half_turned = [b[0] - turn[0], b[1] - turn[1]];
+        let a = [a[0] - back * half_turned[0], a[1] - back * half_turned[1]];
+        let b = [half_turned[0] - turn[0], half_turned[1] - turn[1]];
+        let cross = a[0] * b[1] - a[1] * b[0];
+        (s - back, cross / sqrt(b[0] * b[0] + b[1] * b[1]))
     }
 }

@@ -11,6 +11,9 @@ const KNEE: f32 = 216.0 / 24389.0;
 /// The slope of lightness below the knee: (29/3)^3.
 const KAPPA: f32 = 24389.0 / 27.0;
 
+/// What the compressed ratio of black is.
+const OFFSET: f32 = 16.0 / 116.0;
+
 /// A colour in CIE 1976 L\*a\*b\* (CIELAB), relative to a white that goes without saying.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -60,19 +63,40 @@ impl Xyz {
     /// ```
     #[must_use]
     pub fn lab(self, white: Xyz) -> Option<Lab> {
+        self.lab_by(white, cbrt)
+    }
+
+    /// [`Xyz::lab`] by the functions of `M`.
+    ///
+    /// # Accuracy
+    /// As [`Xyz::lab`] by [`Fast`](crate::math::Fast), 19 units by [`Micromath`](crate::math)'s cube root.
+    #[must_use]
+    pub fn lab_with<M: Math>(self, white: Xyz) -> Option<Lab> {
+        self.lab_by(white, M::cbrt)
+    }
+
+    #[inline]
+    fn lab_by(self, white: Xyz, cbrt: impl Fn(f32) -> f32) -> Option<Lab> {
         if white.x <= 0.0 || white.y <= 0.0 || white.z <= 0.0 {
             return None;
         }
         let [x, y, z] = [self.x / white.x, self.y / white.y, self.z / white.z];
-        if x.is_infinite() || y.is_infinite() || z.is_infinite() {
+        if x.abs() + y.abs() + z.abs() == f32::INFINITY {
             return None;
         }
-        let [fx, fy, fz] = [f(x), f(y), f(z)];
-        Some(Lab {
-            l: lightness(y),
-            a: 500.0 * difference(x, y, fx, fy),
-            b: 200.0 * difference(y, z, fy, fz),
-        })
+        // The compressed ratios less 16/116: then the straight part goes through zero and keeps its digits.
+        let compressed = |t| if t > KNEE { cbrt(t) - OFFSET } else { KAPPA / 116.0 * t };
+        let [fx, fy, fz] = [x, y, z].map(compressed);
+        // A difference of cube roots is the difference of the numbers over the sum of squares of the roots: without
+        // the cancellation that makes near greys uncertain. With one on the straight part, they are far apart.
+        let (a, b) = if x > KNEE && y > KNEE && z > KNEE {
+            let [x3, y3, z3] = [fx + OFFSET, fy + OFFSET, fz + OFFSET];
+            let squares = |s: f32, t: f32| s * s + s * t + t * t;
+            ((x - y) / squares(x3, y3), (y - z) / squares(y3, z3))
+        } else {
+            (fx - fy, fy - fz)
+        };
+        Some(Lab { l: 116.0 * fy, a: 500.0 * a, b: 200.0 * b })
     }
 }
 
@@ -153,22 +177,5 @@ pub(super) fn luminance(l: f32, white: f32) -> f32 {
         white * f * f * f
     } else {
         white * (l / KAPPA)
-    }
-}
-
-/// The compressed ratio of CIELAB.
-fn f(ratio: f32) -> f32 {
-    if ratio > KNEE { cbrt(ratio) } else { (KAPPA * ratio + 16.0) / 116.0 }
-}
-
-/// f(s) - f(t) without the cancellation that makes near greys uncertain: a difference of cube
-/// roots is the difference of the numbers over the sum of squares of the roots.
-fn difference(s: f32, t: f32, fs: f32, ft: f32) -> f32 {
-    if s > KNEE && t > KNEE {
-        (s - t) / (fs * fs + fs * ft + ft * ft)
-    } else if s <= KNEE && t <= KNEE {
-        KAPPA / 116.0 * (s - t)
-    } else {
-        fs - ft
     }
 }

@@ -2,10 +2,11 @@
 //!
 //! Two backends must fit in one program (to be compared, or because one step needs digits
 //! and another speed), so a backend is a type and not a feature: [`Portable`] is what every
-//! short name uses, and leaf functions have a `_with::<M>` form. Features only make more
-//! backends available; no feature changes a number.
+//! short name uses, and leaf functions have a `_with::<M>` form. [`Fast`] is always there, in own f32 kernels of
+//! half the instructions; features only make more backends available, and no feature changes a number.
 
 mod backend;
+mod fast;
 #[cfg(feature = "libm")]
 mod libm;
 #[cfg(feature = "micromath")]
@@ -15,8 +16,12 @@ mod roots;
 #[cfg(all(feature = "std", not(target_os = "none")))]
 mod std;
 mod turns;
+#[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
+mod vsqrt;
 
 pub use backend::Math;
+pub use fast::Fast;
+pub(crate) use roots::sqrt_by_digits;
 pub use roots::{cbrt, sqrt};
 pub use turns::{cos as cos_turns, sin as sin_turns};
 

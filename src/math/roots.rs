@@ -1,25 +1,31 @@
 //! Square and cube root in integer and `f32` arithmetic alone: the same bits on every target,
 //! without the soft f64 that `libm::cbrtf` needs on a Cortex-M4F (1592 instructions there).
 
+#[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
+use super::vsqrt::sqrt as quickest_sqrt;
+#[cfg(all(feature = "libm", not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))))]
+use libm::sqrtf as quickest_sqrt;
+#[cfg(not(any(feature = "libm", all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))))]
+use sqrt_by_digits as quickest_sqrt;
+
 /// Correctly rounded square root; NaN below zero, `-0.0` for `-0.0`.
 ///
 /// # Accuracy
 /// Half a unit in the last place, for every `f32` (swept against the hardware's in
-/// `tests/backends.rs`).
+/// `tests/every_f32.rs`).
 ///
-/// With the feature `libm` this is `libm::sqrtf`, which is faster (the core's own instruction on
-/// x86-64, 67 instructions on a Cortex-M4F) and, being correctly rounded too, the same number.
+/// # Cost
+/// The core's own instruction on an Arm microcontroller with FPU and, with the feature
+/// `libm`, on x86-64. Elsewhere `libm::sqrtf` with that feature, and the root digit by digit without. All of
+/// them are correctly rounded, and so the same number.
 #[must_use]
+#[inline]
 pub fn sqrt(x: f32) -> f32 {
-    #[cfg(feature = "libm")]
-    return libm::sqrtf(x);
-    #[cfg(not(feature = "libm"))]
-    sqrt_by_digits(x)
+    quickest_sqrt(x)
 }
 
-/// The root digit by digit, in integers.
-#[cfg(not(feature = "libm"))]
-fn sqrt_by_digits(x: f32) -> f32 {
+/// The root digit by digit, in integers: also where a constant is computed.
+pub(crate) const fn sqrt_by_digits(x: f32) -> f32 {
     let bits = x.to_bits();
     if bits >= 0x7f80_0000 || bits == 0 {
         // NaN and +inf stay; -0 stays; anything else negative has no root.
@@ -62,10 +68,10 @@ fn sqrt_by_digits(x: f32) -> f32 {
 /// Cube root, odd, of any finite `f32`.
 ///
 /// # Accuracy
-/// 2.4e-7 relative (four units of 2^-24; swept in `tests/backends.rs`).
+/// 2.4e-7 relative (four units of 2^-24; swept in `tests/every_f32.rs`).
 ///
 /// # Cost
-/// 43 instructions on a Cortex-M4F, 61 at opt-level "s".
+/// 42 instructions on a Cortex-M4F, 61 at opt-level "s".
 #[must_use]
 pub fn cbrt(x: f32) -> f32 {
     let bits = x.to_bits() & 0x7fff_ffff;
@@ -91,4 +97,27 @@ pub fn cbrt(x: f32) -> f32 {
         steps += 1;
     }
     f32::from_bits((root * scale).to_bits() | sign)
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    /// Two binades at a stride (any other root is one of theirs with another exponent), and all sizes at a larger
+    /// one.
+    #[test]
+    fn the_root_by_digits_is_the_hardwares() {
+        let binades = (1.0f32.to_bits()..=4.0f32.to_bits()).step_by(5);
+        let edges = [0, 1, 0x8000_0000, 0x8000_0001, 0x7f7f_ffff, 0x7f80_0000, 0xff80_0000, 0x7fc0_0000];
+        let mut count = 0;
+        for bits in binades.chain((0..=u32::MAX).step_by(1009)).chain(edges) {
+            let x = f32::from_bits(bits);
+            let (own, hardware) = (super::sqrt_by_digits(x), std::primitive::f32::sqrt(x));
+            let same = own.to_bits() == hardware.to_bits() || own.is_nan() && hardware.is_nan();
+            assert!(same, "{x:e} ({bits:#010x}): {own:e}, the hardware says {hardware:e}");
+            count += 1;
+        }
+        assert!(count > 7_000_000, "{count}");
+        const { assert!(super::sqrt_by_digits(2.0).to_bits() == core::f32::consts::SQRT_2.to_bits()) }
+    }
 }

@@ -7,28 +7,19 @@
 /// 1.7e-7 absolute, for any finite argument.
 #[must_use]
 pub fn cos(turns: f32) -> f32 {
-    // |turns| mod 1 is exact, and so is the fold about the half turn and the quarter turn.
-    let part = fraction(turns.abs());
-    let half = if part > 0.5 { 1.0 - part } else { part };
-    let quarter = 0.25 - half;
-    quarter_sine(quarter)
+    // What whole turns leave is exact, and so is the distance from the quarter turn.
+    quarter_sine(0.25 - fraction(turns).abs())
 }
 
 /// Sine of `turns` full turns; accuracy as [`cos`].
 #[must_use]
 pub fn sin(turns: f32) -> f32 {
     let part = fraction(turns);
-    let (size, sign) = if part < 0.0 { (-part, -1.0) } else { (part, 1.0) };
-    // sin is odd about the half turn.
-    let (half, sign) = if size > 0.5 { (size - 1.0, sign) } else { (size, sign) };
-    let fold = if half > 0.25 {
-        0.5 - half
-    } else if half < -0.25 {
-        -0.5 - half
-    } else {
-        half
-    };
-    sign * quarter_sine(fold)
+    // Beyond a quarter turn the sine goes back as it came.
+    let size = part.abs();
+    let fold = if size > 0.25 { 0.5 - size } else { size };
+    // At half a turn, which is as near to one whole turn as to the next, zero has the sign of the angle.
+    quarter_sine(fold.copysign(if size < 0.5 { part } else { turns }))
 }
 
 /// sin(2 pi t) for |t| <= 1/4: the Taylor series in t, which at a quarter turn is off by 7e-10. Its first three
@@ -42,9 +33,12 @@ fn quarter_sine(t: f32) -> f32 {
     t * (TURN - s * (41.341_698 - s * series))
 }
 
-/// What is left of `turns` after the whole ones, with its sign; exact.
+/// What is left of `turns` after the nearest whole number of them, from -1/2 to 1/2; exact.
 fn fraction(turns: f32) -> f32 {
-    if turns.abs() < 8_388_608.0 {
+    if turns.abs() < 4_194_304.0 {
+        // Next to 1.5 * 2^23 an f32 has no fraction.
+        turns - (turns + 12_582_912.0 - 12_582_912.0)
+    } else if turns.abs() < 8_388_608.0 {
         turns - turns as i32 as f32
     } else {
         // 2^23 turns and beyond are whole; infinity and NaN have no angle.
