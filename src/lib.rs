@@ -41,6 +41,7 @@
 //! * [`observer`]: what looks: eyes, cones, V(lambda), any C-channel sensor; the fold.
 //! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
 //! * [`radiometry`]: what it does: lumens, melanopic stimulation, photons.
+//! * [`sensor`]: how silicon sees it: raw counts to colour, calibration, uncertainty, integers only.
 //! * [`math`]: the elementary functions, and the backends that provide them.
 //!
 //! # Conventions
@@ -59,7 +60,8 @@
 //! # Features
 //!
 //! `libm` (default): what needs exp, ln, pow or atan2 by its short name. `simd`: explicit vectors on hosts.
-//! `std`, `micromath`: more [`math`] backends. `heapless`: samples collected in fixed memory. `defmt`: logging.
+//! `std`, `micromath`: more [`math`] backends ([`math::Fast`] needs no feature: the `_with` forms take it). `heapless`:
+//! samples collected in fixed memory. `defmt`: logging.
 //!
 //! # Left out
 //!
@@ -82,12 +84,14 @@ pub mod color;
 
 pub mod radiometry;
 
+pub mod sensor;
+
 pub mod math;
 
 pub use grid::{Bins, Grid, Nodes};
 pub use observer::{Curve, FineObserver, Observer};
 pub use spectrum::{
-    Factor, Fine, Interpolation, Light, Outside, Power, Quantity, Reflectance, SamplesError, Spectrum,
+    Factor, Fine, Interpolation, Light, Outside, PerBin, Power, Quantity, Reflectance, SamplesError, Spectrum,
 };
 #[cfg(feature = "heapless")]
 pub use spectrum::{PushError, Samples};

@@ -7,7 +7,7 @@ use programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 10] = [
+const REFUSED: [(&str, &str, &[&str]); 13] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -52,6 +52,27 @@ const REFUSED: [(&str, &str, &[&str]); 10] = [
         "use nanospectra::Reflectance;
         fn main() { println!(\"{}\", Reflectance::<16>::flat(0.5).power()); }",
         &["power", "Factor", "Power"],
+    ),
+    (
+        "shows_counts_of_bins_to_an_eye",
+        "use nanospectra::{Fine, PerBin, observer::CIE_1931};
+        fn main() { println!(\"{:?}\", CIE_1931.sees(&Fine::<PerBin>::flat(1.0))); }",
+        &["mismatched types", "Power", "PerBin"],
+    ),
+    (
+        "resamples_counts_of_bins",
+        "use nanospectra::{Bins, Fine, Outside, PerBin};
+        fn main() {
+            println!(\"{:?}\", Fine::<PerBin>::flat(1.0).resample::<3, Bins<400, 700>>(Outside::Zero));
+        }",
+        &["resample", "PerBin", "Quantity"],
+    ),
+    (
+        "reads_a_wrong_table",
+        "use nanospectra::{Nodes, Observer, Power, sensor::responsivities};
+        static CHIP: Observer<1, 3, Power, Nodes<400, 402>> = responsivities(\"nm,a\\n400,1\\n402,1\\n\");
+        fn main() { println!(\"{:?}\", CHIP); }",
+        &["line 3: the wavelength is not the next one of the grid"],
     ),
     (
         "ends_before_it_starts",

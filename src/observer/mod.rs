@@ -12,4 +12,4 @@ pub use cie::{
 pub use fold::Curve;
 pub use rows::{FineObserver, Observer};
 
-pub(crate) use kernel::sum;
+pub(crate) use kernel::{rows, sum};

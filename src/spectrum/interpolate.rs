@@ -1,7 +1,7 @@
 //! From the nodes of one grid to those of another: straight lines, or Sprague's quintic.
 
 use crate::grid::{Grid, Layout};
-use crate::spectrum::{Outside, Spectrum};
+use crate::spectrum::{Outside, Quantity, Spectrum};
 
 /// How to read between samples. The choice moves xy by up to 3.4e-4, so it has a name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub enum Interpolation {
     Sprague,
 }
 
-impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// Reads this spectrum at the bin centres of another grid; `const`, to bring tables to 1 nm.
     ///
     /// With fewer than six bands Sprague's interpolation falls back to straight lines.

@@ -1,10 +1,13 @@
 //! What the numbers of a spectrum mean.
 
-/// What a spectrum's numbers are: [`Power`] or [`Factor`].
+/// What a spectrum's averages are averages of: [`Power`] or [`Factor`].
 ///
 /// An observer carries the quantity it reads, so a lamp cannot be shown to an eye that already
-/// has the light folded in.
-#[diagnostic::on_unimplemented(message = "`{Self}` is not a spectral quantity: use `Power` or `Factor`")]
+/// has the light folded in. [`PerBin`] is none: nothing can look at it, interpolate or resample it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a spectral quantity: use `Power` or `Factor`",
+    note = "what is counted `PerBin` becomes `Power` by `density()`"
+)]
 pub trait Quantity: sealed::Sealed + Copy + 'static {}
 
 /// Spectral power (flux, irradiance, radiance ..) for each nanometre; relative or in W/nm, W/m2/nm.
@@ -14,6 +17,14 @@ pub struct Power;
 /// A share without a unit: reflectance, transmittance, radiance factor; 0..=1 for passive matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor;
+
+/// What a bin holds in all, and not for each nanometre: the counts of a spectrometer's pixels, which already
+/// sum up what falls on their width. Made by [`Wavelengths::rebinned`](crate::sensor::Wavelengths::rebinned).
+///
+/// Taken for a density, pixels of a grating that widen towards the blue are 24 % wrong in blue over red.
+/// [`density`](crate::Spectrum::density) divides by the width of the bins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PerBin;
 
 impl Quantity for Power {}
 impl Quantity for Factor {}

@@ -1,9 +1,9 @@
 //! From one grid of bins to another, keeping the power.
 
 use crate::grid::{Grid, Layout};
-use crate::spectrum::{Outside, Spectrum};
+use crate::spectrum::{Outside, Quantity, Spectrum};
 
-impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// The averages over the bins of another grid, each bin here taken as constant: power over
     /// any range that both grids tile is conserved.
     ///

@@ -1,8 +1,8 @@
 //! Measured samples, (wavelength in nm, value), at any spacing, onto a grid.
 
 use crate::grid::Grid;
-use crate::spectrum::Spectrum;
 use crate::spectrum::interpolate::{Interpolation, Place};
+use crate::spectrum::{Quantity, Spectrum};
 use core::fmt;
 
 /// What a spectrum is where there are no samples.
@@ -59,7 +59,7 @@ impl fmt::Display for SamplesError {
 
 impl core::error::Error for SamplesError {}
 
-impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// The average over each bin of the straight lines that join the samples: the exact
     /// integral, whether there are hundreds of samples in a bin or one in ten bins.
     ///

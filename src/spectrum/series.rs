@@ -1,11 +1,11 @@
 //! The one type: N numbers, what they mean, and where they lie.
 
 use crate::grid::{Bins, Grid, Layout, Nodes};
-use crate::spectrum::{Factor, Power};
+use crate::spectrum::{Factor, PerBin, Power};
 use core::marker::PhantomData;
 
 /// A spectrum: `N` equal bins that tile the grid `G`, each holding the *average* of the quantity
-/// `Q` over its bin.
+/// `Q` over its bin. (Only [`PerBin`](crate::PerBin) means totals.)
 ///
 /// With averages power is the plain sum times the bin width, a constant stays exactly that
 /// constant, and a laser line keeps its power at every `N`. (Point samples are the trap: 31
@@ -171,5 +171,36 @@ impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
     #[must_use]
     pub fn power(&self) -> f32 {
         crate::observer::sum(&self.0) * Self::WIDTH_NM
+    }
+}
+
+impl<const N: usize, G: Grid> Spectrum<PerBin, N, G> {
+    /// What all bins hold together.
+    ///
+    /// # Accuracy
+    /// 8 units of 2^-24, relative, for positive values.
+    #[must_use]
+    pub fn total(&self) -> f32 {
+        crate::observer::sum(&self.0)
+    }
+
+    /// For each nanometre: what a bin holds over its width.
+    ///
+    /// ```
+    /// # use nanospectra::{Bins, PerBin, Spectrum};
+    /// // 60 counts in each of 30 bins 10 nm wide.
+    /// let counts = Spectrum::<PerBin, 30, Bins<400, 700>>::from_bins([60.0; 30]);
+    /// assert_eq!((counts.total(), counts.density().values()[0]), (1800.0, 6.0));
+    /// assert_eq!(counts.density().power(), 1800.0);
+    /// ```
+    #[must_use]
+    pub const fn density(&self) -> Light<N, G> {
+        let mut values = self.0;
+        let mut k = 0;
+        while k < N {
+            values[k] /= Self::WIDTH_NM;
+            k += 1;
+        }
+        Spectrum::from_bins(values)
     }
 }

@@ -30,6 +30,8 @@ pub mod linear;
 pub mod rgb;
 pub mod transfer;
 
+pub mod sensor;
+
 pub mod fine;
 pub mod fold;
 

@@ -10,10 +10,7 @@ use super::reduce;
 /// All rows against one spectrum: in one pass while the lanes of all rows fit the 16 registers of a
 /// baseline x86-64, else row by row.
 #[inline]
-pub(in crate::observer) fn rows<const C: usize, const N: usize>(
-    rows: &[[f32; N]; C],
-    s: &[f32; N],
-) -> [f32; C] {
+pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     if C >= 2 && C <= 6 {
         return one_pass(rows, s);
     }

@@ -16,11 +16,11 @@ mod scalar;
 mod vector;
 
 #[cfg(all(not(feature = "simd"), not(target_os = "none")))]
-pub(super) use lanes::rows;
+pub(crate) use lanes::rows;
 #[cfg(target_os = "none")]
-pub(super) use scalar::rows;
+pub(crate) use scalar::rows;
 #[cfg(all(feature = "simd", not(target_os = "none")))]
-pub(super) use vector::rows;
+pub(crate) use vector::rows;
 
 /// What 8 lanes come to; the order in which a 128- or 256-bit vector folds in half.
 #[inline]

@@ -7,10 +7,7 @@ use super::reduce;
 
 /// All rows against one spectrum, one row after the other.
 #[inline]
-pub(in crate::observer) fn rows<const C: usize, const N: usize>(
-    rows: &[[f32; N]; C],
-    s: &[f32; N],
-) -> [f32; C] {
+pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     let mut sums = [0.0; C];
     for (sum, row) in sums.iter_mut().zip(rows) {
         *sum = dot(row, s);

@@ -5,10 +5,7 @@ use wide::f32x8;
 
 /// All rows against one spectrum; each lane does what a lane of the other kernels does.
 #[inline]
-pub(in crate::observer) fn rows<const C: usize, const N: usize>(
-    rows: &[[f32; N]; C],
-    s: &[f32; N],
-) -> [f32; C] {
+pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     let mut sums = [f32x8::ZERO; C];
     let (s8, s_rest) = s.as_chunks::<8>();
     for (k, s) in s8.iter().enumerate() {

@@ -1,0 +1,184 @@
+//! Which exposure to take next.
+
+use super::{Count, Exposure};
+
+/// A channel that has just saturated would still count this much after the step down: enough to predict from it.
+const AFTER_SATURATION: f32 = 64.0;
+
+/// Advice for the next reading, from a ladder of exposures: the most sensitive one whose brightest channel will
+/// stay below a target share of full scale.
+///
+/// ```
+/// # use nanospectra::sensor::{AS7341_LADDER, AutoExposure};
+/// static AUTO: AutoExposure<'static> = match AutoExposure::new(&AS7341_LADDER) {
+///     Ok(auto) => auto,
+///     Err(_) => panic!("not sorted"),
+/// };
+/// let start = AUTO.middle();
+/// let advice = AUTO.advise(start, &[120_u16, 300, 280, 210, 0, 0, 0, 0]);
+/// assert!(!advice.saturated && advice.next > start); // there is room for more
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AutoExposure<'a> {
+    ladder: &'a [Exposure],
+    target: f32,
+}
+
+/// What to do next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Advice {
+    /// The exposure for the next reading: its place in the ladder.
+    pub next: usize,
+    /// This reading has a channel at full scale: how much light there is cannot be told, so `next` is a large step
+    /// down. If it is the exposure in use already (0), there is too much light for the ladder.
+    pub saturated: bool,
+}
+
+impl<'a> AutoExposure<'a> {
+    /// With a ladder from the least to the most sensitive exposure, and a target of 0.8 of full scale.
+    ///
+    /// # Errors
+    /// [`LadderError`]: no exposure at all, one that cannot count, one not more sensitive (gain times time) than
+    /// the one before.
+    pub const fn new(ladder: &'a [Exposure]) -> Result<Self, LadderError> {
+        let mut index = 0;
+        let mut before = 0.0;
+        let mut rest = ladder;
+        while let [exposure, others @ ..] = rest {
+            let sensitivity = exposure.gain() * exposure.time_ms();
+            // Written so that NaN is refused too.
+            if !(exposure.gain() > 0.0 && sensitivity > 0.0 && sensitivity < f32::INFINITY)
+                || exposure.full_scale() == 0
+            {
+                return Err(LadderError::CannotCount { index });
+            }
+            if sensitivity <= before {
+                return Err(LadderError::NotSorted { index });
+            }
+            before = sensitivity;
+            index += 1;
+            rest = others;
+        }
+        if index == 0 { Err(LadderError::Empty) } else { Ok(AutoExposure { ladder, target: 0.8 }) }
+    }
+
+    /// With another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end), that the brightest
+    /// channel shall stay below. It moves to less only above (1 + target) / 2, so that it does not swing.
+    #[must_use]
+    pub const fn with_target(self, share: f32) -> Self {
+        let target = if share > 0.9 {
+            0.9
+        } else if share > 0.1 {
+            share
+        } else {
+            0.1
+        };
+        AutoExposure { target, ..self }
+    }
+
+    /// The exposure at a place of the ladder; the last one beyond it.
+    #[must_use]
+    pub fn exposure(&self, index: usize) -> Exposure {
+        let last = self.ladder.last().copied().unwrap_or(Exposure::new(1.0, 1.0, 1));
+        self.ladder.get(index).copied().unwrap_or(last)
+    }
+
+    /// The middle of the ladder: where to begin.
+    #[must_use]
+    pub const fn middle(&self) -> usize {
+        self.ladder.len() / 2
+    }
+
+    /// The next place, from the raw counts of a reading at the place `in_use`.
+    ///
+    /// A light that does not change is found in four readings, wherever it begins: saturated ones step down until
+    /// 64 counts would be left of a full scale, and what is then counted tells the rest. With NaN among the counts
+    /// it stays.
+    #[must_use]
+    pub fn advise<T: Count, const C: usize>(&self, in_use: usize, counts: &[T; C]) -> Advice {
+        let in_use = in_use.min(self.ladder.len().saturating_sub(1));
+        let used = self.exposure(in_use);
+        if used.saturated(counts).count() > 0 {
+            let keeps_enough = |exposure: &Exposure| {
+                used.full_scale() as f32 * (used.per_count() / exposure.per_count()) >= AFTER_SATURATION
+            };
+            let next = self.ladder.iter().take(in_use).position(keeps_enough);
+            return Advice { next: next.unwrap_or(in_use.saturating_sub(1)), saturated: true };
+        }
+        let stay = Advice { next: in_use, saturated: false };
+        let mut brightest = 0.0;
+        for count in counts {
+            let count = count.to_f32();
+            if count.is_nan() {
+                return stay;
+            }
+            brightest = if count > brightest { count } else { brightest };
+        }
+        // A count may be up to one more than it says; the margin is never a smaller share at a finer exposure, so
+        // that what was right from afar stays right.
+        let margin = brightest / AFTER_SATURATION;
+        let bound = brightest + if margin > 1.0 { margin } else { 1.0 };
+        let fits = |exposure: &Exposure| {
+            bound * (used.per_count() / exposure.per_count()) < self.target * exposure.full_scale() as f32
+        };
+        let best = self.ladder.iter().rposition(fits).unwrap_or(0);
+        let too_near = brightest > 0.5 * (1.0 + self.target) * used.full_scale() as f32;
+        if best > in_use || too_near { Advice { next: best, ..stay } } else { stay }
+    }
+}
+
+/// Why a ladder was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum LadderError {
+    /// It has no exposure.
+    Empty,
+    /// Gain, time or full scale of this exposure is not above zero, or not finite.
+    CannotCount {
+        /// Place in the ladder.
+        index: usize,
+    },
+    /// This exposure is not more sensitive than the one before.
+    NotSorted {
+        /// Place in the ladder.
+        index: usize,
+    },
+}
+
+impl core::fmt::Display for LadderError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            LadderError::Empty => f.write_str("no exposure to choose from"),
+            LadderError::CannotCount { index } => {
+                write!(f, "exposure {index} has a gain, a time or a full scale that is not above zero")
+            }
+            LadderError::NotSorted { index } => {
+                write!(f, "exposure {index} is not more sensitive than the one before")
+            }
+        }
+    }
+}
+
+impl core::error::Error for LadderError {}
+
+/// The AS7341 over four and a half decades of sensitivity: every gain at 50 ms, which averages mains of 50 and of
+/// 60 Hz, 5 ms below that for glaring light, 100 and 200 ms above it.
+pub static AS7341_LADDER: [Exposure; 15] = [
+    Exposure::as7341(0.5, 2, 599),
+    Exposure::as7341(0.5, 8, 599),
+    Exposure::as7341(0.5, 29, 599),
+    Exposure::as7341(1.0, 29, 599),
+    Exposure::as7341(2.0, 29, 599),
+    Exposure::as7341(4.0, 29, 599),
+    Exposure::as7341(8.0, 29, 599),
+    Exposure::as7341(16.0, 29, 599),
+    Exposure::as7341(32.0, 29, 599),
+    Exposure::as7341(64.0, 29, 599),
+    Exposure::as7341(128.0, 29, 599),
+    Exposure::as7341(256.0, 29, 599),
+    Exposure::as7341(512.0, 29, 599),
+    Exposure::as7341(512.0, 59, 599),
+    Exposure::as7341(512.0, 119, 599),
+];

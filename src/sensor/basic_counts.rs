@@ -1,0 +1,57 @@
+//! Counts freed of gain and time, so that readings of different exposures compare.
+
+/// Counts per millisecond at unit gain ("basic counts" in the makers' notes), one for each channel; above dark if a
+/// dark level was taken off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct BasicCounts<const C: usize>([f32; C]);
+
+impl<const C: usize> BasicCounts<C> {
+    /// From numbers that are basic counts already: of a log, a simulation, a chip that calibrates itself.
+    #[must_use]
+    pub const fn new(values: [f32; C]) -> Self {
+        BasicCounts(values)
+    }
+
+    /// One number for each channel.
+    #[must_use]
+    pub const fn values(&self) -> &[f32; C] {
+        &self.0
+    }
+
+    /// Each channel times its factor. What is the same for every reading is better folded into the
+    /// [`Calibration`](super::Calibration).
+    #[must_use]
+    pub fn scaled(mut self, factors: &[f32; C]) -> Self {
+        for (value, factor) in self.0.iter_mut().zip(factors) {
+            *value *= factor;
+        }
+        self
+    }
+
+    /// What the chip would have counted at the temperature its calibration was made at.
+    #[must_use]
+    pub fn without(mut self, drift: &Drift<C>, celsius: f32) -> Self {
+        let warmer = celsius - drift.calibrated_at_c;
+        for (value, per_k) in self.0.iter_mut().zip(&drift.per_k) {
+            *value /= 1.0 + per_k * warmer;
+        }
+        self
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const C: usize> defmt::Format for BasicCounts<C> {
+    fn format(&self, fmt: defmt::Formatter<'_>) {
+        defmt::write!(fmt, "BasicCounts({})", self.0.as_slice());
+    }
+}
+
+/// How the responsivity of each channel changes with temperature: linearly, as data sheets give it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift<const C: usize> {
+    /// Relative change for each kelvin: 1e-3 is 0.1 %/K.
+    pub per_k: [f32; C],
+    /// The temperature of the calibration, degrees Celsius.
+    pub calibrated_at_c: f32,
+}

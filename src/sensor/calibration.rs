@@ -1,0 +1,222 @@
+//! The matrix that turns basic counts into what is asked for.
+
+use super::{BasicCounts, Unusable};
+use crate::color::Xyz;
+
+/// `D` sums over `C` channels: counts to XYZ (`D` = 3), to illuminance or PPFD alone (`D` = 1), to anything linear.
+///
+/// It comes from measured patches ([`Fit`](super::Fit)), from a reconstruction seen by an eye
+/// ([`Reconstruction::seen_by`](super::Reconstruction::seen_by)), or from the maker's application note
+/// ([`from_rows`](Self::from_rows)). What is linear and constant in front of it folds in, while compiling:
+/// [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
+/// [`without_crosstalk`](Self::without_crosstalk).
+///
+/// Y is in lux if the calibration was made in lux, or scaled to one known illuminance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Calibration<const C: usize, const D: usize = 3>([[f32; C]; D]);
+
+impl<const C: usize, const D: usize> Calibration<C, D> {
+    /// From its rows: how much of each channel goes into result `d`.
+    #[must_use]
+    pub const fn from_rows(rows: [[f32; C]; D]) -> Self {
+        Calibration(rows)
+    }
+
+    /// The rows.
+    #[must_use]
+    pub const fn rows(&self) -> &[[f32; C]; D] {
+        &self.0
+    }
+
+    /// The sums.
+    ///
+    /// # Accuracy
+    /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
+    #[must_use]
+    #[inline]
+    pub fn apply(&self, basic: &BasicCounts<C>) -> [f32; D] {
+        let mut sums = [0.0; D];
+        for (sum, row) in sums.iter_mut().zip(&self.0) {
+            for (weight, count) in row.iter().zip(basic.values()) {
+                *sum += weight * count;
+            }
+        }
+        sums
+    }
+
+    /// Every result times `k`: a reference lux meter over what this calibration says.
+    #[must_use]
+    pub const fn scaled(mut self, k: f32) -> Self {
+        let mut d = 0;
+        while d < D {
+            let mut c = 0;
+            while c < C {
+                self.0[d][c] *= k;
+                c += 1;
+            }
+            d += 1;
+        }
+        self
+    }
+
+    /// For a chip whose channels must be multiplied by `factors` to be the one that was calibrated (golden device).
+    #[must_use]
+    pub const fn corrected(mut self, factors: &[f32; C]) -> Self {
+        let mut d = 0;
+        while d < D {
+            let mut c = 0;
+            while c < C {
+                self.0[d][c] *= factors[c];
+                c += 1;
+            }
+            d += 1;
+        }
+        self
+    }
+
+    /// For a chip behind a window or a diffuser that passes `transmittance` (above 0) of every wavelength alike.
+    /// Glass with a colour belongs into the responsivities: [`Observer::through`](crate::Observer::through).
+    #[must_use]
+    pub const fn behind_glass(self, transmittance: f32) -> Self {
+        self.scaled(1.0 / transmittance)
+    }
+
+    /// For counts in which channels leak: count `i` is the sum over `j` of `crosstalk[i][j]` times the true one.
+    ///
+    /// # Errors
+    /// [`Singular`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its row.
+    pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, Singular> {
+        // With M the matrix of the leakage and W the rows here, the new rows solve V M = W: Gauss on M's
+        // transpose, with the largest pivot of each column.
+        let mut m = [[0.0; C]; C];
+        let mut i = 0;
+        while i < C {
+            let mut largest = 0.0;
+            let mut j = 0;
+            while j < C {
+                let size = crosstalk[j][i].abs();
+                largest = if size > largest { size } else { largest };
+                j += 1;
+            }
+            // Rows of equal size, so that a pivot can be judged.
+            let unit = if largest > 0.0 { 1.0 / largest } else { 0.0 };
+            j = 0;
+            while j < C {
+                m[i][j] = crosstalk[j][i] * unit;
+                j += 1;
+            }
+            let mut d = 0;
+            while d < D {
+                self.0[d][i] *= unit;
+                d += 1;
+            }
+            i += 1;
+        }
+        let mut k = 0;
+        while k < C {
+            let mut pivot = k;
+            i = k + 1;
+            while i < C {
+                if m[i][k].abs() > m[pivot][k].abs() {
+                    pivot = i;
+                }
+                i += 1;
+            }
+            m.swap(k, pivot);
+            let mut d = 0;
+            while d < D {
+                self.0[d].swap(k, pivot);
+                d += 1;
+            }
+            if m[k][k].is_nan() || m[k][k].abs() <= 1e-4 {
+                return Err(Singular);
+            }
+            i = 0;
+            while i < C {
+                if i != k {
+                    let factor = m[i][k] / m[k][k];
+                    let mut j = k;
+                    while j < C {
+                        m[i][j] -= factor * m[k][j];
+                        j += 1;
+                    }
+                    d = 0;
+                    while d < D {
+                        self.0[d][i] -= factor * self.0[d][k];
+                        d += 1;
+                    }
+                }
+                i += 1;
+            }
+            k += 1;
+        }
+        k = 0;
+        while k < C {
+            let mut d = 0;
+            while d < D {
+                self.0[d][k] /= m[k][k];
+                d += 1;
+            }
+            k += 1;
+        }
+        Ok(self)
+    }
+}
+
+impl Calibration<3> {
+    /// TI's matrix for the OPT4048: X, Y and Z on a scale of their own, from the codes of channels 0, 1 and 2.
+    ///
+    /// # Reference
+    /// The data sheet's coefficients as Adafruit's driver for this chip has them.
+    pub const OPT4048: Calibration<3> = Calibration([
+        [2.348_929_92e-4, 4.074_674_41e-5, 9.286_194_04e-5],
+        [-1.896_523_90e-5, 1.989_582_02e-4, -1.697_395_53e-5],
+        [1.208_116_84e-5, -1.588_481_15e-5, 6.740_215_20e-4],
+    ]);
+
+    /// Illuminance in lux from the same codes; same source.
+    pub const OPT4048_LUX: Calibration<3, 1> = Calibration([[0.0, 2.15e-3, 0.0]]);
+}
+
+impl<const C: usize> Calibration<C> {
+    /// XYZ.
+    ///
+    /// # Errors
+    /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
+    #[inline]
+    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, Unusable> {
+        positive(self.apply(basic).into())
+    }
+}
+
+/// The colour, if no sum is negative.
+#[inline]
+pub(super) fn positive(xyz: Xyz) -> Result<Xyz, Unusable> {
+    if xyz.x < 0.0 || xyz.y < 0.0 || xyz.z < 0.0 {
+        return Err(Unusable::Negative { xyz });
+    }
+    Ok(xyz)
+}
+
+#[cfg(feature = "defmt")]
+impl<const C: usize, const D: usize> defmt::Format for Calibration<C, D> {
+    fn format(&self, fmt: defmt::Formatter<'_>) {
+        for row in &self.0 {
+            defmt::write!(fmt, "{} ", row.as_slice());
+        }
+    }
+}
+
+/// Cross-talk that cannot be undone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Singular;
+
+impl core::fmt::Display for Singular {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("the cross-talk mixes channels so that they cannot be told apart again")
+    }
+}
+
+impl core::error::Error for Singular {}

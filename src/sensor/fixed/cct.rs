@@ -1,0 +1,157 @@
+//! Correlated colour temperature in integers.
+//!
+//! A point between the normals of two knots of the locus divides the way between them, d0 : -d1, nearly as it
+//! divides the locus; what is missing is a parabola that depends on the distance. So one division and a dozen
+//! products replace the Newton step of the floats, at 0.1 mired.
+
+include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
+
+/// Segments of the table.
+const SEGMENTS: usize = FIXED_LOCUS.len() - 1;
+/// 0.05 in units of 2^-20, with room for what the formula is off; and where a point is surely off the locus, in
+/// units of 2^-18.
+const MAX_DUV: i32 = 52_429 + 32;
+const FAR: i32 = 16_384;
+/// What a sign seen from afar may be wrong by, in units of 2^-30.
+const SLACK: i32 = 16 << 14;
+/// 1 mired and 1000 mired in 4096ths, with 1/100 of a mired as room for rounding at the cold end and 1/20 at the
+/// hot.
+const HOTTEST: u32 = 4096 - 205;
+const COLDEST: u32 = 4_096_000 + 41;
+
+/// [`Cct`](crate::color::Cct) in integers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum FixedCct {
+    /// A colour near the locus.
+    Near {
+        /// Temperature of the nearest black body, to the nearest K, 1000..=1 000 000 (and 5 % more, for rounding).
+        cct_k: u32,
+        /// Its reciprocal in thousandths of a mired, which keeps what whole kelvins lose at the cold end.
+        mired_e3: u32,
+        /// Distance from the locus in the CIE 1960 plane in millionths, above it (greenish) positive.
+        duv_e6: i32,
+    },
+    /// Further than 0.05 from the locus: not a white, it has no colour temperature.
+    OffLocus,
+    /// Redder than a black body of 1000 K.
+    TooCold,
+    /// Bluer than a black body of a million K.
+    TooHot,
+}
+
+/// A knot of the locus, and what its segment lacks.
+struct Knot {
+    /// u, v in units of 2^-20, and the unit tangent there in units of 2^-14.
+    u: i32,
+    v: i32,
+    tangent: [i16; 2],
+    /// Of the parabola: 2^-15 at Duv 0, and what Duv 1 adds.
+    bulge: [i16; 2],
+    /// Of the distance, for each d0 d1: in 1/64, and what Duv 1 adds.
+    sagitta: [i16; 2],
+}
+
+impl FixedCct {
+    /// For u and v in units of 2^-20.
+    pub(super) fn of([u, v]: [i32; 2]) -> Self {
+        let (mut segment, mut left) = (0, SEGMENTS);
+        while left > 1 {
+            let half = left / 2;
+            if FIXED_LOCUS.get(segment + half).is_some_and(|knot| knot.along_from_afar(u, v) >= 0) {
+                segment += half;
+            }
+            left -= half;
+        }
+        let Some([from, to]) = FIXED_LOCUS.get(segment..).and_then(|rest| rest.first_chunk()) else {
+            return FixedCct::OffLocus; // never: segment < SEGMENTS
+        };
+        // Only the two ends of the table have a point on neither side; nothing there has a temperature.
+        let (first, last) = (from.along_from_afar(u, v), to.along_from_afar(u, v));
+        if first < -SLACK || last > SLACK {
+            let (end, reason) = if first < 0 { (from, FixedCct::TooHot) } else { (to, FixedCct::TooCold) };
+            return if end.across_from_afar(u, v).abs() <= MAX_DUV >> 2 {
+                reason
+            } else {
+                FixedCct::OffLocus
+            };
+        }
+        if from.across_from_afar(u, v).abs() > FAR {
+            return FixedCct::OffLocus;
+        }
+        let (d0, d1) = (from.along(u, v), to.along(u, v));
+        let r = share(d0, d0 - d1);
+        // Both distances in units of 2^-20; their mean, weighted, and what the locus bends away from both tangents.
+        let (n0, n1) = (from.across(u, v) >> 14, to.across(u, v) >> 14);
+        let mean = n0 + (((n1 - n0) * r) >> 15);
+        let product = ((d0 >> 14) * (d1 >> 14)) >> 14;
+        let [sagitta, steeper] = from.sagitta.map(i32::from);
+        let duv = mean + ((product * (sagitta + ((steeper * mean) >> 20))) >> 12);
+        if duv.abs() > MAX_DUV {
+            return FixedCct::OffLocus;
+        }
+        let [bulge, with_duv] = from.bulge.map(i32::from);
+        let s = r + ((((r * (32_768 - r)) >> 15) * (bulge + ((with_duv * duv) >> 20))) >> 15);
+        // 17 k + 11/256 k^3 at k + s, in 256ths: a + s (b + s (c + 11 s)).
+        let k = segment as i32;
+        let (a, b, c) = (k * (4352 + 11 * k * k), 4352 + 33 * k * k, 33 * k);
+        let more = s * (b + ((s * (c + ((s * 11) >> 15))) >> 15));
+        let mired = ((a << 4) + (more >> 11)) as u32;
+        if mired < HOTTEST || more < 0 && a == 0 {
+            FixedCct::TooHot
+        } else if mired > COLDEST {
+            FixedCct::TooCold
+        } else {
+            // Millionths: 10^6 / 2^20 = 15625 / 2^14.
+            FixedCct::Near {
+                cct_k: (4_096_000_000 + mired / 2) / mired,
+                mired_e3: (mired * 125) >> 9,
+                duv_e6: (duv * 15_625) >> 14,
+            }
+        }
+    }
+}
+
+impl Knot {
+    /// How far along the locus a point lies from here, in units of 2^-34; for points within 0.12.
+    fn along(&self, u: i32, v: i32) -> i32 {
+        (u - self.u) * i32::from(self.tangent[0]) + (v - self.v) * i32::from(self.tangent[1])
+    }
+
+    /// How far above it, in units of 2^-34; for points within 0.12.
+    fn across(&self, u: i32, v: i32) -> i32 {
+        (v - self.v) * i32::from(self.tangent[0]) - (u - self.u) * i32::from(self.tangent[1])
+    }
+
+    /// As [`along`](Self::along), in units of 2^-30; for all points.
+    fn along_from_afar(&self, u: i32, v: i32) -> i32 {
+        ((u - self.u) >> 4) * i32::from(self.tangent[0]) + ((v - self.v) >> 4) * i32::from(self.tangent[1])
+    }
+
+    /// As [`across`](Self::across), in units of 2^-18; for all points.
+    fn across_from_afar(&self, u: i32, v: i32) -> i32 {
+        (((v - self.v) >> 4) * i32::from(self.tangent[0]) - ((u - self.u) >> 4) * i32::from(self.tangent[1]))
+            >> 12
+    }
+}
+
+/// part / whole in units of 2^-15, for -whole < part < 2 whole and 0 < whole < 2^30: one binary digit at a time.
+fn share(part: i32, whole: i32) -> i32 {
+    let (mut rest, mut digits, mut left) = (part.unsigned_abs(), 0, 15);
+    let whole = whole as u32;
+    if rest >= whole {
+        rest -= whole;
+        digits = 1;
+    }
+    while left > 0 {
+        rest <<= 1;
+        digits <<= 1;
+        if rest >= whole {
+            rest -= whole;
+            digits += 1;
+        }
+        left -= 1;
+    }
+    if part < 0 { -digits } else { digits }
+}

@@ -1,0 +1,33 @@
+//! The integer path, for cores without an FPU: counts to XYZ, illuminance, CCT and Duv without one float.
+//!
+//! A Cortex-M0 multiplies 32 bits in one instruction and takes a hundred for a float. The weights are integers
+//! here, scaled so that no sum can overflow whatever the counts, and the sums stay exact to a few units of 2^-30.
+//!
+//! ```
+//! use nanospectra::sensor::{Calibration, Exposure};
+//! use nanospectra::sensor::fixed::{FixedCct, FixedMeter};
+//!
+//! static TO_XYZ: Calibration<3> = Calibration::from_rows([
+//!     [0.95, 0.00, 0.00],
+//!     [0.00, 1.00, 0.00],
+//!     [0.00, 0.00, 1.09],
+//! ]);
+//! static METER: FixedMeter<3> =
+//!     FixedMeter::new(&Exposure::new(1.0, 10.0, 65_535), &TO_XYZ).unwrap();
+//!
+//! let xyz = METER.xyz(&[10_000_u16, 10_000, 10_000])?; // 1000 lx of daylight
+//! assert_eq!(xyz.lux(), 1000);
+//! let Some(FixedCct::Near { cct_k, duv_e6, .. }) = xyz.cct() else { return Ok(()) };
+//! assert!((6450..6550).contains(&cct_k) && (2900..3700).contains(&duv_e6)); // D65: 6503 K, Duv 0.0032
+//! # Ok::<(), nanospectra::sensor::Unusable>(())
+//! ```
+
+mod cct;
+mod meter;
+mod observer;
+mod xyz;
+
+pub use cct::FixedCct;
+pub use meter::FixedMeter;
+pub use observer::FixedObserver;
+pub use xyz::FixedXyz;

@@ -1,0 +1,93 @@
+//! What spectra are usually like: how their bins vary together.
+
+use super::vector::{largest, sqrt};
+use crate::grid::Grid;
+use crate::spectrum::Light;
+
+/// How the bins of these lights vary together, each light scaled to a mean of 1: the mean of their products.
+/// Their common shape is part of it, so a reconstruction needs no mean spectrum beside it. For
+/// [`Reconstruction::wiener`](super::Reconstruction::wiener).
+///
+/// A light whose bins sum to zero or less is left out; without lights all is 0.
+#[must_use]
+pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [[f32; N]; N] {
+    let mut products = [[0.0; N]; N];
+    let (mut k, mut used) = (0, 0);
+    while k < lights.len() {
+        let values = lights[k].values();
+        let size = largest(values);
+        let (mut sum, mut n) = (0.0, 0);
+        while n < N {
+            sum += values[n] / size;
+            n += 1;
+        }
+        if size != 0.0 && (sum > 0.0 || sum.is_nan()) {
+            let unit = N as f32 / sum / size;
+            let mut i = 0;
+            while i < N {
+                let mut j = 0;
+                while j <= i {
+                    products[i][j] += (values[i] * unit) * (values[j] * unit);
+                    j += 1;
+                }
+                i += 1;
+            }
+            used += 1;
+        }
+        k += 1;
+    }
+    let mut i = 0;
+    while i < N && used > 0 {
+        let mut j = 0;
+        while j <= i {
+            products[i][j] /= used as f32;
+            products[j][i] = products[i][j];
+            j += 1;
+        }
+        i += 1;
+    }
+    products
+}
+
+/// L of L L' = `covariance`, by Cholesky's steps with the largest variance that is left first, and not further
+/// than rounding: what six lamps span has six columns.
+pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]) -> [[f32; N]; N] {
+    let (mut left, mut columns) = ([0.0; N], [[0.0; N]; N]);
+    let (mut i, mut largest) = (0, 0.0);
+    while i < N {
+        left[i] = covariance[i][i];
+        i += 1;
+    }
+    let mut k = 0;
+    while k < N {
+        let (mut pivot, mut variance) = (0, 0.0);
+        i = 0;
+        // (A NaN is taken and spreads.)
+        while i < N && variance >= 0.0 {
+            if left[i] > variance || left[i].is_nan() {
+                (pivot, variance) = (i, left[i]);
+            }
+            i += 1;
+        }
+        largest = if k == 0 { variance } else { largest };
+        // (A pivot is below N; saying so keeps the panic out of an image.)
+        if variance <= largest * (N as f32 * f32::EPSILON) || pivot >= N {
+            break;
+        }
+        let root = sqrt(variance);
+        i = 0;
+        while i < N {
+            let (mut value, mut j) = (covariance[i][pivot], 0);
+            while j < k {
+                value -= columns[j][i] * columns[j][pivot];
+                j += 1;
+            }
+            columns[k][i] = value / root;
+            left[i] -= columns[k][i] * columns[k][i];
+            i += 1;
+        }
+        left[pivot] = 0.0;
+        k += 1;
+    }
+    columns
+}

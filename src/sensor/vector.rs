@@ -1,0 +1,70 @@
+//! Sums over vectors in `const fn`. Squares are scaled by the largest, so that counts of 1e-30 are as good as
+//! counts of 1.
+
+pub(super) use crate::math::sqrt_by_digits as sqrt;
+
+/// To length 1, and the length it had.
+pub(super) const fn unit<const C: usize>(mut x: [f32; C]) -> ([f32; C], f32) {
+    let norm = norm(&x);
+    let mut k = 0;
+    while k < C {
+        x[k] /= norm;
+        k += 1;
+    }
+    (x, norm)
+}
+
+/// a - factor b.
+pub(super) const fn less<const N: usize>(mut a: [f32; N], factor: f32, b: &[f32; N]) -> [f32; N] {
+    let mut n = 0;
+    while n < N {
+        a[n] -= factor * b[n];
+        n += 1;
+    }
+    a
+}
+
+pub(super) const fn dot<const N: usize>(a: &[f32; N], b: &[f32; N]) -> f32 {
+    let (mut sum, mut n) = (0.0, 0);
+    while n < N {
+        sum += a[n] * b[n];
+        n += 1;
+    }
+    sum
+}
+
+/// The largest size; NaN if there is one.
+pub(super) const fn largest<const N: usize>(a: &[f32; N]) -> f32 {
+    let (mut largest, mut n) = (0.0, 0);
+    while n < N {
+        let size = a[n].abs();
+        if size > largest || size.is_nan() {
+            largest = size;
+        }
+        if largest.is_nan() {
+            return largest;
+        }
+        n += 1;
+    }
+    largest
+}
+
+/// The root of the sum of squares, without overflow or underflow.
+pub(super) const fn norm<const N: usize>(a: &[f32; N]) -> f32 {
+    let largest = largest(a);
+    if largest == 0.0 {
+        return 0.0;
+    }
+    let (mut sum, mut n) = (0.0, 0);
+    while n < N {
+        let share = a[n] / largest;
+        sum += share * share;
+        n += 1;
+    }
+    largest * sqrt(sum)
+}
+
+/// The same of two.
+pub(super) const fn hypot(a: f32, b: f32) -> f32 {
+    norm(&[a, b])
+}

@@ -1,0 +1,121 @@
+//! Automatic exposure: the right one is found quickly, and kept.
+
+use nanospectra::sensor::{AS7341_LADDER, Advice, AutoExposure, Exposure, LadderError};
+
+/// Random numbers that are the same every time.
+struct Dice(u64);
+
+impl Dice {
+    /// 0..1
+    fn even(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Mean 0, variance 1, by Box and Muller.
+    fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.even()).ln()).sqrt();
+        radius * (std::f64::consts::TAU * self.even()).cos()
+    }
+}
+
+/// What eight channels count of a light at an exposure: the brightest `light` basic counts.
+fn counted(light: f64, exposure: &Exposure, mut noise: impl FnMut(f64) -> f64) -> [u16; 8] {
+    [0.1, 0.3, 0.5, 0.7, 1.0, 0.9, 0.6, 0.4].map(|share| {
+        let count = light * share / f64::from(exposure.per_count());
+        (count + noise(count)).clamp(0.0, exposure.full_scale().into()) as u16
+    })
+}
+
+/// Basic counts over six decades, from hardly one count at the most sensitive exposure to just below full scale at
+/// the least sensitive one.
+fn six_decades() -> impl Iterator<Item = f64> {
+    (0..=600).map(|step| 7e-4 * 10_f64.powf(f64::from(step) / 100.0))
+}
+
+#[test]
+fn any_light_is_found_in_four_readings_from_anywhere() {
+    let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
+    let mut longest = 0;
+    for light in six_decades() {
+        for start in 0..AS7341_LADDER.len() {
+            let (mut place, mut readings) = (start, 1);
+            loop {
+                let advice = auto.advise(place, &counted(light, &auto.exposure(place), |_| 0.0));
+                if advice.next == place {
+                    assert!(!advice.saturated, "{light} from {start}: saturated at {place}");
+                    break;
+                }
+                place = advice.next;
+                readings += 1;
+                assert!(readings <= 4, "{light} from {start}: still moving at {place}");
+            }
+            longest = longest.max(readings);
+            // It is the right one: the next would be too much, or there is none.
+            let share = |place: usize| {
+                let exposure = auto.exposure(place);
+                light / f64::from(exposure.per_count()) / f64::from(exposure.full_scale())
+            };
+            assert!(place == 0 || share(place) < 0.9, "{light} from {start}");
+            let last = AS7341_LADDER.len() - 1;
+            assert!(place == last || share(place + 1) > 0.78, "{light} from {start}: stops at {place}");
+        }
+    }
+    println!("at most {longest} readings");
+}
+
+#[test]
+fn noise_does_not_make_the_exposure_swing() {
+    let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
+    let mut dice = Dice(0x0dd5_eed0_dd5e_ed01);
+    for light in six_decades().step_by(3) {
+        let mut place = 7;
+        let mut moves = Vec::new();
+        for reading in 0..60 {
+            // 1 % of the count, and two counts.
+            let counts = counted(light, &auto.exposure(place), |count| dice.normal() * (2.0 + 0.01 * count));
+            let advice = auto.advise(place, &counts);
+            if advice.next != place {
+                moves.push((reading, place, advice.next));
+            }
+            place = advice.next;
+        }
+        // The last settling may take long where noise decides, but there is no way back.
+        let back = moves.iter().filter(|(reading, from, to)| *reading > 5 && to < from).count();
+        assert_eq!(back, 0, "{light}: {moves:?}");
+        assert!(moves.len() <= 5, "{light}: {moves:?}");
+    }
+}
+
+#[test]
+fn advice_never_leaves_the_ladder() {
+    let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
+    for place in [0, 3, 14, 15, 1000, usize::MAX] {
+        for count in [0_u16, 1, 20_000, u16::MAX] {
+            assert!(auto.advise(place, &[count; 8]).next < 15);
+        }
+    }
+    assert_eq!(auto.advise(0, &[u16::MAX; 8]), Advice { next: 0, saturated: true });
+    assert_eq!(auto.advise(9, &[100.0, f32::NAN]), Advice { next: 9, saturated: false });
+    assert_eq!(auto.advise(4, &[0_u16; 0]).next, 14);
+    let one = [Exposure::new(1.0, 1.0, 100)];
+    let auto = AutoExposure::new(&one).expect("a ladder of one").with_target(f32::NAN);
+    assert_eq!(auto.advise(0, &[99_u16]), Advice { next: 0, saturated: false });
+    assert_eq!(auto.middle(), 0);
+}
+
+#[test]
+fn a_ladder_that_is_none_is_refused() {
+    let good = Exposure::new(1.0, 50.0, 18_000);
+    assert_eq!(AutoExposure::new(&[]), Err(LadderError::Empty));
+    assert_eq!(AutoExposure::new(&[good, good]), Err(LadderError::NotSorted { index: 1 }));
+    for (gain, time, full) in
+        [(0.0, 1.0, 1), (-1.0, -1.0, 1), (f32::NAN, 1.0, 1), (1.0, f32::INFINITY, 1), (2.0, 50.0, 0)]
+    {
+        let bad = [good, Exposure::new(gain, time, full)];
+        assert_eq!(AutoExposure::new(&bad), Err(LadderError::CannotCount { index: 1 }), "{gain} {time}");
+    }
+    assert!(LadderError::NotSorted { index: 1 }.to_string().contains("exposure 1"));
+}
