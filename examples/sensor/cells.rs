@@ -1,0 +1,149 @@
+//! CSV with a heading, strictly: cells with the line they came from.
+
+use crate::failure::Failure;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+use std::{fs, io};
+
+/// A table of text.
+pub struct Table {
+    /// Its name, for messages.
+    pub file: String,
+    /// The line of the heading.
+    pub line: usize,
+    /// Trimmed, in lower case.
+    pub heading: Vec<String>,
+    pub rows: Vec<Row>,
+}
+
+pub struct Row {
+    pub line: usize,
+    /// As many as the heading has.
+    pub cells: Vec<String>,
+}
+
+/// A table from a file, or from standard input for `-`.
+pub fn read(path: &Path) -> Result<Table, Failure> {
+    let stdin = path.as_os_str() == "-";
+    let file = if stdin { "stdin".into() } else { path.to_string_lossy().into_owned() };
+    let bytes = bytes(path, stdin).map_err(|what| Failure::of(&file, what))?;
+    parse(&file, &bytes)
+}
+
+fn bytes(path: &Path, stdin: bool) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let read = if stdin {
+        io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+    } else if path.is_dir() {
+        return Err("is a directory; name a file in it".into());
+    } else {
+        fs::read(path)
+    };
+    read.map_err(|error| match error.kind() {
+        ErrorKind::NotFound => "no such file; check the name".into(),
+        ErrorKind::PermissionDenied => "may not be read; check its permissions".into(),
+        other => format!("cannot be read ({other}); check the file"),
+    })
+}
+
+/// A table from the bytes of a file.
+pub fn parse(file: &str, bytes: &[u8]) -> Result<Table, Failure> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(Failure::at(file, 1, "the text is UTF-16; save it as UTF-8"));
+    }
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let before = &bytes[..error.valid_up_to()];
+        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+        Failure::at(file, line, "not UTF-8 text; save it as UTF-8 (or is it a binary file?)")
+    })?;
+    let mut lines = text
+        .lines()
+        .zip(1..)
+        .filter(|(line, _)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+    let Some((heading, line)) = lines.next() else {
+        return Err(Failure::at(file, 1, "nothing in it; give a heading and rows of numbers"));
+    };
+    let mark = [';', '\t', ','].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
+    let at = |line: usize| move |what: String| Failure::at(file, line, what);
+    let heading: Vec<String> =
+        cells(heading, mark).map_err(at(line))?.into_iter().map(|cell| cell.to_lowercase()).collect();
+    for (place, name) in heading.iter().enumerate() {
+        if name.is_empty() {
+            return Err(at(line)(format!("column {} has no name; give it one, or remove it", place + 1)));
+        }
+        if heading[..place].contains(name) {
+            return Err(at(line)(format!("two columns are called '{name}'; rename or remove one")));
+        }
+    }
+    let mut rows = Vec::new();
+    for (text, line) in lines {
+        let cells = cells(text, mark).map_err(at(line))?;
+        if cells.len() != heading.len() {
+            let (found, wanted) = (cells.len(), heading.len());
+            return Err(at(line)(format!(
+                "{found} cells where the heading has {wanted}; complete or correct the row"
+            )));
+        }
+        rows.push(Row { line, cells });
+    }
+    if rows.is_empty() {
+        return Err(at(line)("only a heading; add rows of numbers".into()));
+    }
+    Ok(Table { file: file.to_owned(), line, heading, rows })
+}
+
+/// Quotes by the rules of CSV, but closed on the line where they were opened.
+fn cells(line: &str, mark: char) -> Result<Vec<String>, String> {
+    if line.contains('\r') {
+        return Err("a carriage return inside the line; save with LF or CRLF line ends".into());
+    }
+    if !line.matches('"').count().is_multiple_of(2) {
+        return Err("a quote is opened and not closed; close it on the same line".into());
+    }
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .delimiter(mark as u8)
+        .trim(csv::Trim::All)
+        .from_reader(line.as_bytes());
+    let mut record = csv::StringRecord::new();
+    reader.read_record(&mut record).map_err(|error| format!("{error}; correct the quotes"))?;
+    Ok(record.iter().map(str::to_owned).collect())
+}
+
+impl Table {
+    /// The place of a column.
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.heading.iter().position(|column| column == name)
+    }
+
+    /// The places of columns that must be there.
+    pub fn places(&self, names: &[&str]) -> Result<Vec<usize>, Failure> {
+        let wanted = |name: &&str| {
+            self.place(name).ok_or_else(|| {
+                let all = names.join(", ");
+                Failure::at(&self.file, self.line, format!("no column '{name}'; name the columns {all}"))
+            })
+        };
+        names.iter().map(wanted).collect()
+    }
+
+    /// A finite number.
+    pub fn number(&self, row: &Row, place: usize) -> Result<f64, Failure> {
+        let (cell, name) = (&row.cells[place], &self.heading[place]);
+        let wrong = |what: String| Failure::at(&self.file, row.line, what);
+        if cell.is_empty() {
+            return Err(wrong(format!("'{name}' is empty; fill it in, or remove the row")));
+        }
+        match cell.parse::<f64>() {
+            Ok(number) if number.is_finite() && (number as f32).is_finite() => Ok(number),
+            Ok(_) => {
+                Err(wrong(format!("'{name}' is {cell}, not a finite number; correct it, or remove the row")))
+            }
+            Err(_) if cell.replacen(',', ".", 1).parse::<f64>().is_ok() => {
+                Err(wrong(format!("'{name}' is '{cell}'; write the decimal point as '.'")))
+            }
+            Err(_) => Err(wrong(format!("'{name}' is '{cell}', not a number; correct it"))),
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! What is taken off the counts.
+
+use crate::args::Args;
+use crate::failure::Failure;
+use crate::log::{self, Entry, Log};
+use nanospectra::sensor::Exposure;
+
+/// Dark levels of the log itself or of a file.
+pub struct Frames {
+    file: String,
+    frames: Vec<Frame>,
+}
+
+/// The mean of all dark readings of one exposure.
+struct Frame {
+    exposure: Option<Exposure>,
+    readings: u16,
+    sums: Vec<f64>,
+}
+
+/// A dark level of each channel, in counts, and from how many readings it is.
+pub struct Level {
+    pub counts: Vec<f32>,
+    pub readings: u16,
+}
+
+impl Frames {
+    pub fn read(args: &Args, log: &Log) -> Result<Self, Failure> {
+        let mut frames: Vec<Frame> = Vec::new();
+        let Some(path) = &args.dark else {
+            return Ok(Frames { file: log.file.clone(), frames });
+        };
+        if log.entries.iter().any(|entry| entry.dark.is_some()) {
+            return Err(Failure::of("--dark", "the log has dark_ columns too; leave out one of the two"));
+        }
+        let dark = log::read_dark(path, args.sensor, &log.channels)?;
+        for entry in dark.entries {
+            let same = frames.iter_mut().find(|frame| frame.exposure == entry.exposure);
+            match same {
+                Some(frame) => {
+                    frame.readings = frame.readings.saturating_add(1);
+                    frame
+                        .sums
+                        .iter_mut()
+                        .zip(&entry.counts)
+                        .for_each(|(sum, count)| *sum += f64::from(*count));
+                }
+                None => frames.push(Frame {
+                    exposure: entry.exposure,
+                    readings: 1,
+                    sums: entry.counts.into_iter().map(f64::from).collect(),
+                }),
+            }
+        }
+        Ok(Frames { file: dark.file, frames })
+    }
+
+    /// The dark level of an entry, if any is known.
+    pub fn of(&self, entry: &Entry) -> Result<Option<Level>, Failure> {
+        if let Some(counts) = &entry.dark {
+            return Ok(Some(Level { counts: counts.clone(), readings: 1 }));
+        }
+        if self.frames.is_empty() {
+            return Ok(None);
+        }
+        let fits = |frame: &&Frame| frame.exposure.is_none() || frame.exposure == entry.exposure;
+        let Some(frame) = self.frames.iter().find(fits) else {
+            return Err(Failure::of(
+                &self.file,
+                format_args!(
+                    "no dark reading with the exposure of line {} of the log; add one, its shutter closed",
+                    entry.line
+                ),
+            ));
+        };
+        let mean = |sum: &f64| (sum / f64::from(frame.readings)) as f32;
+        Ok(Some(Level { counts: frame.sums.iter().map(mean).collect(), readings: frame.readings }))
+    }
+}
