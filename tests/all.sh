@@ -10,7 +10,7 @@ export CARGO_TERM_COLOR=${CARGO_TERM_COLOR:-never}
 
 step() { printf '\n== %s (after %d s)\n' "$*" "$SECONDS"; }
 
-bare="thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf wasm32-unknown-unknown"
+bare="thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf wasm32-unknown-unknown"
 skipped=()
 
 step "targets, formatter and lints"
@@ -21,7 +21,7 @@ rustup component add rustfmt clippy
 
 step "formatting"
 cargo fmt --all --check
-for crate in examples/firmware examples/web; do
+for crate in examples/firmware examples/firmware/decode examples/web; do
     cargo fmt --manifest-path "$crate/Cargo.toml" --check
 done
 
@@ -40,10 +40,14 @@ for target in $host $bare; do
 done
 
 step "the crates for devices and for the web"
-for target in thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf; do
+for target in thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf; do
     case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
-    (cd examples/firmware && cargo clippy --quiet --target "$target" -- -D warnings)
+    (cd examples/firmware && cargo clippy --quiet --target "$target" --bins --tests -- -D warnings)
+    (cd examples/firmware &&
+        cargo clippy --quiet --target "$target" --no-default-features --features measure,micromath -- -D warnings)
 done
+(cd examples/firmware && cargo clippy --quiet --bins --tests -- -D warnings)
+(cd examples/firmware/decode && cargo clippy --quiet -- -D warnings)
 case " ${skipped[*]-} " in
 *" target wasm32-unknown-unknown "*) ;;
 *) (cd examples/web && cargo clippy --quiet -- -D warnings) ;;
@@ -54,6 +58,8 @@ RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features
 
 step "tests, with the default features, as a release"
 cargo test --release
+step "Fast, over every f32"
+NANOSPECTRA_EXHAUSTIVE=1 cargo test --release --test every_f32
 step "tests, with every feature, then with none, and with checks for overflow"
 cargo test --all-features
 cargo test --no-default-features

@@ -4,7 +4,7 @@
 //! `tests/devices.sh` holds Cortex-M0, Cortex-M4F, RV32 and wasm to the same record, by the same source file.
 #![cfg(feature = "libm")]
 
-#[path = "../examples/firmware/src/bits.rs"]
+#[path = "../examples/firmware/src/bits/mod.rs"]
 mod bits;
 
 #[test]

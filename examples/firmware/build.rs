@@ -10,6 +10,14 @@ MEMORY {
 }
 ";
 
+/// MPS2 with the AN505 image: a Cortex-M33, in its Secure state.
+const AN505: &str = "\
+MEMORY {
+  FLASH : ORIGIN = 0x10000000, LENGTH = 4M
+  RAM : ORIGIN = 0x38000000, LENGTH = 4M
+}
+";
+
 /// BBC micro:bit, nRF51822: a Cortex-M0 with what the real part has.
 const MICROBIT: &str = "\
 MEMORY {
@@ -39,23 +47,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     let target = env::var("TARGET")?;
     let map = match target.split('-').next() {
         Some("thumbv7em") => AN386,
+        Some("thumbv8m.main") => AN505,
         Some("thumbv6m") => {
             println!("cargo:rustc-cfg=small_flash");
             MICROBIT
         }
         Some("riscv32imac") => VIRT,
-        // A host builds `bits` only, with its own linker.
+        // A host has a linker script of its own.
         _ => return Ok(()),
     };
     let out = env::var("OUT_DIR")?;
     fs::write(Path::new(&out).join("memory.x"), map)?;
     println!("cargo:rustc-link-search={out}");
-    if target.starts_with("riscv32") {
-        println!("cargo:rustc-link-arg-bins=-Tmemory.x");
-    } else {
-        // Small images start on no page boundary.
-        println!("cargo:rustc-link-arg-bins=--nmagic");
+    // Small images start on no page boundary.
+    let first = if target.starts_with("riscv32") { "-Tmemory.x" } else { "--nmagic" };
+    for images in ["bins", "tests"] {
+        println!("cargo:rustc-link-arg-{images}={first}");
+        println!("cargo:rustc-link-arg-{images}=-Tlink.x");
     }
-    println!("cargo:rustc-link-arg-bins=-Tlink.x");
+    // The words of its log stay in the file and out of flash.
+    if env::var_os("CARGO_FEATURE_INSTRUMENT").is_some() {
+        println!("cargo:rustc-link-arg-bin=sensor=-Tdefmt.x");
+    }
     Ok(())
 }

@@ -32,13 +32,17 @@ impl Clock {
 
 /// Counter periods of one call.
 fn span<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> u32 {
-    // SAFETY: a reference to a sized value and a raw pointer have the same ABI, and `erased` hands over the
-    // two that `f` takes.
-    let f = unsafe { transmute::<fn(&A, &mut R), Erased>(f) };
-    erased(f, (&raw const *input).cast(), (&raw mut *output).cast())
+    erased(erase(f), (&raw const *input).cast(), (&raw mut *output).cast())
 }
 
-type Erased = fn(*const (), *mut ());
+/// A function that has forgotten its types, to be called with pointers to what it takes.
+pub(crate) type Erased = fn(*const (), *mut ());
+
+pub(crate) fn erase<A, R>(f: fn(&A, &mut R)) -> Erased {
+    // SAFETY: a reference to a sized value and a raw pointer have the same ABI; who calls it hands over the two
+    // that `f` takes.
+    unsafe { transmute::<fn(&A, &mut R), Erased>(f) }
+}
 
 /// One piece of code for every call that is measured, so that all have the same overhead.
 #[inline(never)]

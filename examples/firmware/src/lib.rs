@@ -1,15 +1,30 @@
 //! What the images share. Each image in `src/bin` answers one question about the crate:
 //!
-//! | image    | question |
-//! |----------|----------|
-//! | `bits`   | does this target compute the same bits as the host? |
-//! | `count`  | how many instructions does a call take? |
-//! | `empty`  | how many bytes does a program need that measures nothing? |
-//! | `fold16` | how many more when it turns 16 bands into XYZ? |
+//! | image        | question |
+//! |--------------|----------|
+//! | `bits`       | does this target compute the same bits as the host? |
+//! | `count`      | how many instructions does a call take? |
+//! | `price`      | how many does each step of a reading take, and how much stack? |
+//! | `price_whole` | how many does a whole reading take? |
+//! | `empty`      | how many bytes does a program need that measures nothing? |
+//! | `fold16`     | how many more when it turns 16 bands into XYZ? |
+//! | `counts_f32` | how many more when it turns 8 counts into XYZ, CCT and Lab? |
+//! | `counts_fixed` | how many when it does so in integers? |
+//! | `no_panic`, `no_panic_sensor` | can any step panic? |
+//! | `sensor`     | what does an instrument look like, with a window and a log? |
+//! | `driver`     | how do a published driver and this crate go together? |
 //!
-//! `tests/devices.sh` of the main crate asks all of them.
+//! `tests/devices.sh` of the main crate asks all of them, and runs `tests/on_target.rs` on a host and on every board.
 #![no_std]
 
 pub mod bits;
 #[cfg(target_os = "none")]
 pub mod clock;
+#[cfg(all(target_os = "none", feature = "instrument"))]
+pub mod log;
+pub mod mock_bus;
+pub mod pipeline;
+pub mod readings;
+#[cfg(target_os = "none")]
+pub mod stack;
+pub mod steps;

@@ -1,7 +1,7 @@
 //! nanospectra as a wasm module: plain exports, no allocator, no glue code.
 #![no_std]
 
-#[path = "../../firmware/src/bits.rs"]
+#[path = "../../firmware/src/bits/mod.rs"]
 mod bits;
 
 unsafe extern "C" {

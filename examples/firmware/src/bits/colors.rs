@@ -1,14 +1,12 @@
-//! One hash for each group of results, over their raw bits.
-//!
-//! The crate promises the same bits on every target, and this one file is compiled into all of them: the
-//! firmware images, the wasm module and the host test of the main crate, which compare what it reports.
+//! From spectra to colours, and the maths below.
 
+use super::hash::{Hash, Random};
 use core::array::from_fn;
 use nanospectra::color::{
     Cct, Lab, Rgb, Srgb, Uv1960, Xy, Xyz, ciede2000, cmc, cri, dominant_wavelength, tm30,
 };
 use nanospectra::light::{A, D65, FL11, LED_B1, blackbody, blackbody_relative, daylight_xy};
-use nanospectra::math::{Math, Portable};
+use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::matter::TCS;
 use nanospectra::observer::{CIE_1931, CIE_1964, CIE_2015_2, Curve, FineObserver, Observer};
 use nanospectra::{Factor, Fine, Interpolation, Light, Outside, Power, Reflectance};
@@ -36,7 +34,6 @@ static EYES_16: Eyes<16> = Eyes::new(Curve::Spline);
 static EYES_31: Eyes<31> = Eyes::new(Curve::Parabola);
 static EYES_81: Eyes<81> = Eyes::new(Curve::Step);
 
-/// Computes all groups and tells `report` the name and hash of each.
 pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("folded-16", folded(&EYES_16));
     report("folded-31", folded(&EYES_31));
@@ -52,13 +49,9 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("cri", rendering_index());
     report("lights", lights());
     report("roots", roots());
+    report("fast", fast());
     report("exp-ln-pow", exp_ln_pow());
     report("angles", angles());
-}
-
-/// The group whose tables (159 KB) do not fit a small part beside the others.
-pub fn run_large(report: &mut impl FnMut(&str, u32)) {
-    report("tm30", fidelity());
 }
 
 /// The weights, and what they see: 64 random spectra one by one and as a batch, surfaces and lamps.
@@ -179,7 +172,7 @@ fn dominant() -> u32 {
 }
 
 /// The white of D65.
-const WHITE: Xy = Xy { x: 0.3127, y: 0.3290 };
+pub const WHITE: Xy = Xy { x: 0.3127, y: 0.3290 };
 
 /// A lattice of colours that reaches below black and above white, and crosses the knee of the cube root.
 fn lattice() -> impl Iterator<Item = Xyz> {
@@ -244,7 +237,7 @@ fn rendering_index() -> u32 {
 }
 
 /// TM-30 of the lamps.
-fn fidelity() -> u32 {
+pub fn fidelity() -> u32 {
     let mut hash = Hash::new();
     for lamp in &LAMPS {
         match tm30(lamp) {
@@ -284,6 +277,20 @@ fn roots() -> u32 {
     hash.0
 }
 
+/// The functions of `Fast`, over what each is for.
+fn fast() -> u32 {
+    let mut hash = Hash::new();
+    for x in (0x0080_0000..0x7f80_0000_u32).step_by(0x003f_1357).map(f32::from_bits) {
+        hash.all(&[Fast::sqrt(x), Fast::cbrt(x), Fast::ln(x), Fast::powf(x, 2.4), Fast::powf(x, 1.0 / 2.4)]);
+    }
+    for k in 0..512 {
+        let x = 0.4125 * k as f32 - 105.0;
+        hash.all(&[Fast::exp(x), Fast::expm1(x), Fast::cos_turns(0.01 * x), Fast::sin_turns(0.01 * x)]);
+        hash.one(Fast::atan2(x, 31.0));
+    }
+    hash.0
+}
+
 /// From underflow to overflow.
 fn exp_ln_pow() -> u32 {
     let mut hash = Hash::new();
@@ -308,52 +315,4 @@ fn angles() -> u32 {
         hash.all(&[1e-30, 0.01, 1.0, 1e20].map(|r| Portable::atan2(r * sin, r * cos)));
     }
     hash.0
-}
-
-/// FNV-1a, 32 bits.
-struct Hash(u32);
-
-impl Hash {
-    fn new() -> Self {
-        Hash(0x811c_9dc5)
-    }
-
-    fn word(&mut self, word: u32) {
-        for byte in word.to_le_bytes() {
-            self.0 = (self.0 ^ u32::from(byte)).wrapping_mul(0x0100_0193);
-        }
-    }
-
-    fn one(&mut self, value: f32) {
-        // Which NaN comes out of an operation is the processor's choice; that it is one is ours.
-        self.word(if value.is_nan() { f32::NAN.to_bits() } else { value.to_bits() });
-    }
-
-    fn all(&mut self, values: &[f32]) {
-        values.iter().for_each(|value| self.one(*value));
-    }
-
-    fn maybe(&mut self, values: Option<[f32; 2]>) {
-        match values {
-            Some(values) => self.all(&values),
-            None => self.word(0),
-        }
-    }
-}
-
-/// Marsaglia's xorshift: the same numbers everywhere, and exact as floats.
-struct Random(u32);
-
-impl Random {
-    /// 0..1
-    fn unit(&mut self) -> f32 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 17;
-        self.0 ^= self.0 << 5;
-        (self.0 >> 8) as f32 / 16_777_216.0
-    }
-
-    fn bins<const N: usize>(&mut self) -> [f32; N] {
-        from_fn(|_| self.unit())
-    }
 }

@@ -1,0 +1,106 @@
+//! Prints the instructions that each function of each maths backend takes, one `backend-function count` per line.
+//!
+//! An image of its own beside `count`: `Libm` runs in soft f64, and that one must have none. Counted as there.
+#![no_std]
+#![no_main]
+
+use nanospectra::color::{Lab, Xyz};
+use nanospectra::math::{Fast, Libm, Math, Micromath, Portable};
+use nanospectra_firmware::clock::Clock;
+use semihosting::{println, process};
+
+static WHITE: Xyz = Xyz { x: 95.047, y: 100.0, z: 108.883 };
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    let clock = Clock::start();
+    backend::<Portable>(&clock, "portable");
+    backend::<Fast>(&clock, "fast");
+    backend::<Libm>(&clock, "libm");
+    backend::<Micromath>(&clock, "micromath");
+    process::exit(0)
+}
+
+/// Everyday numbers: large and small, of both signs where the function has both.
+fn backend<M: Math>(clock: &Clock, name: &str) {
+    let all = [2.0, 1e-30, 1e30, 0.18, 1.0];
+    let signed = [2.0, -1e-30, 1e30, 0.18, -20.0];
+    let signals = [0.0031, 0.18, 0.5, 1.0, 100.0];
+    let angles = [0.1, -0.3, 0.6, 0.9, 12.4];
+    let logs = [0.4, -0.7, 5.0, -20.0, 80.0];
+    let points = [[1.0, 2.0], [-2.0, 1.0], [3.0, -1.0], [-1.0, -4.0], [0.0, 1.0]];
+    let colors = [[40.0, 50.0, 45.0], [0.3, 0.4, 0.2], [20.0, 10.0, 90.0], [40.0, 20.0, 0.5]].map(Xyz::from);
+    count(clock, name, "sqrt", sqrt::<M>, &all);
+    count(clock, name, "cbrt", cbrt::<M>, &signed);
+    count(clock, name, "exp", exp::<M>, &logs);
+    count(clock, name, "expm1", expm1::<M>, &logs);
+    count(clock, name, "ln", ln::<M>, &all);
+    count(clock, name, "pow24", pow24::<M>, &signals);
+    count(clock, name, "pow1/24", root24::<M>, &signals);
+    count(clock, name, "atan2", atan2::<M>, &points);
+    count(clock, name, "cos", cos::<M>, &angles);
+    count(clock, name, "sin", sin::<M>, &angles);
+    count(clock, name, "lab", lab::<M>, &colors);
+}
+
+/// Prints the longest of the calls.
+fn count<A, R: Default>(clock: &Clock, backend: &str, function: &str, f: fn(&A, &mut R), inputs: &[A]) {
+    let longest = inputs.iter().map(|input| clock.count(f, input, &mut R::default())).max();
+    println!("{backend}-{function} {}", longest.unwrap_or(0));
+}
+
+#[inline(never)]
+fn sqrt<M: Math>(x: &f32, root: &mut f32) {
+    *root = M::sqrt(*x);
+}
+
+#[inline(never)]
+fn cbrt<M: Math>(x: &f32, root: &mut f32) {
+    *root = M::cbrt(*x);
+}
+
+#[inline(never)]
+fn exp<M: Math>(x: &f32, power: &mut f32) {
+    *power = M::exp(*x);
+}
+
+#[inline(never)]
+fn expm1<M: Math>(x: &f32, power: &mut f32) {
+    *power = M::expm1(*x);
+}
+
+#[inline(never)]
+fn ln<M: Math>(x: &f32, ln: &mut f32) {
+    *ln = M::ln(*x);
+}
+
+#[inline(never)]
+fn pow24<M: Math>(x: &f32, power: &mut f32) {
+    *power = M::powf(*x, 2.4);
+}
+
+#[inline(never)]
+fn root24<M: Math>(x: &f32, power: &mut f32) {
+    *power = M::powf(*x, 1.0 / 2.4);
+}
+
+#[inline(never)]
+fn atan2<M: Math>([x, y]: &[f32; 2], angle: &mut f32) {
+    *angle = M::atan2(*y, *x);
+}
+
+#[inline(never)]
+fn cos<M: Math>(turns: &f32, cos: &mut f32) {
+    *cos = M::cos_turns(*turns);
+}
+
+#[inline(never)]
+fn sin<M: Math>(turns: &f32, sin: &mut f32) {
+    *sin = M::sin_turns(*turns);
+}
+
+#[inline(never)]
+fn lab<M: Math>(xyz: &Xyz, out: &mut Option<Lab>) {
+    *out = xyz.lab_with::<M>(WHITE);
+}

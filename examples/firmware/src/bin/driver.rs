@@ -1,0 +1,59 @@
+//! A published driver on a bus: bytes to counts by the crate `as7341`, counts to colour by this one.
+//!
+//! The bus is a mock with an AS7341 on it that stands under an LED; on a board, your HAL's I2C and delay take its
+//! place. Runs on a host (`cargo run --bin driver`) and on boards (`--target <triple>`).
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use as7341::{As7341, Gain};
+use nanospectra::color::Cct;
+use nanospectra::sensor::Exposure;
+use nanospectra_firmware::mock_bus::{As7341Registers, NoDelay};
+use nanospectra_firmware::pipeline::TO_XYZ;
+#[cfg(target_os = "none")]
+use semihosting::{println, process};
+#[cfg(not(target_os = "none"))]
+use std::process;
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    process::exit(read())
+}
+
+#[cfg(target_os = "none")]
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    process::exit(read())
+}
+
+/// F1 to F8, Clear and NIR under LED-B1 at 500 lx.
+const DIODES: [u16; 10] = [106, 1023, 1182, 2001, 3619, 5224, 6082, 3066, 6231, 240];
+
+/// One reading; the exit code.
+fn read() -> i32 {
+    let mut chip = As7341::new(As7341Registers::counting(DIODES), NoDelay);
+    let (gain, atime, astep) = (Gain::X16, 29, 599);
+    let reading = chip
+        .init()
+        .and_then(|()| chip.set_gain(gain))
+        .and_then(|()| chip.set_atime(atime))
+        .and_then(|()| chip.set_astep(astep))
+        .and_then(|()| chip.read_all_channels());
+    let Ok(reading) = reading else {
+        println!("the chip does not answer");
+        return 1;
+    };
+    // The first eight of ten: F1 to F8.
+    let [counts @ .., _clear, _nir] = reading.as_array();
+    let exposure = Exposure::as7341(gain.multiplier(), atime, astep);
+
+    let color = exposure.basic_counts(&counts).and_then(|basic| TO_XYZ.xyz(&basic));
+    let cct = color.ok().and_then(|xyz| xyz.uv1960()).map(|uv| uv.cct());
+    let Some(Cct::Near { cct_k, duv }) = cct else {
+        println!("no colour temperature: {color:?}");
+        return 1;
+    };
+    println!("counts {counts:?}: {cct_k:.0} K, Duv {duv:.4}");
+    // LED-B1 has 2735 K; so says the colorimeter, from its whole spectrum.
+    i32::from((cct_k - 2735.0).abs() > 2.0)
+}

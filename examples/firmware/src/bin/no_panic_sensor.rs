@@ -1,0 +1,91 @@
+//! Every run-time step of a sensor in one image that does not link if one of them can panic: what `no_panic` is for
+//! the rest of the crate. `tests/devices.sh` links it for every core and looks for soft f64 and more in it.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use nanospectra::Light;
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::sensor::{
+    AS7341_LADDER, AutoExposure, BasicCounts, Calibration, Dark, Drift, Exposure, Fit, Flicker, Noise,
+    Reconstruction, Window, amplitude_at, mean_over_periods, nominal, nonnegative_spectrum,
+};
+use nanospectra::{Nodes, Power};
+use nanospectra_firmware::pipeline::measure;
+
+type TenNm = Nodes<400, 700>;
+static CHIP: Observer<8, 31, Power, TenNm> = nominal::AS7341.fold(Curve::Step);
+static EYE: Observer<3, 31, Power, TenNm> = CIE_1931.fold(Curve::Step);
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    loop {
+        let _ = black_box(measure(&black_box([1000; 8])));
+        let basic = readings();
+        calibrations(&basic);
+        spectra(&basic);
+        time();
+    }
+}
+
+fn readings() -> BasicCounts<8> {
+    let (counts, wide): ([u16; 8], [u32; 8]) = black_box(([1000; 8], [70_000; 8]));
+    let mut exposure = Exposure::as7341(black_box(16.0), 29, 599);
+    if let Ok(exposures) = AutoExposure::new(&AS7341_LADDER) {
+        exposure = exposures.exposure(black_box(exposures.advise(black_box(3), &counts)).next);
+    }
+    let dark =
+        black_box(Dark { offset: [1.0; 8], rate: [0.1; 8], measured_at_c: 25.0, doubles_every_k: 8.0 });
+    let levels = dark.levels_at_with::<nanospectra::math::Fast>(&exposure, black_box(40.0));
+    let drift = black_box(Drift { per_k: [1e-3; 8], calibrated_at_c: 25.0 });
+    let _ = black_box(exposure.basic_counts(&wide));
+    let basic = exposure.basic_counts_above(&levels, &counts).unwrap_or(BasicCounts::new([1.0; 8]));
+    basic.without(&drift, black_box(40.0)).scaled(&black_box([1.1; 8]))
+}
+
+fn calibrations(basic: &BasicCounts<8>) {
+    let mut fit = Fit::<8>::new();
+    for target in black_box([[95.0, 100.0, 108.0]; 12]) {
+        fit.add(&black_box(*basic), target, black_box(1.0));
+    }
+    let to_xyz = black_box(fit.solve()).unwrap_or(Calibration::from_rows([[1.0; 8]; 3]));
+    black_box((fit.residual_rms(), fit.patches()));
+    let to_xyz = to_xyz.without_crosstalk(&black_box([[0.1; 8]; 8])).unwrap_or(to_xyz);
+    let to_xyz = to_xyz.behind_glass(black_box(0.9)).corrected(&black_box([1.0; 8]));
+    let noise = black_box(Noise { electrons_per_count: 20.0, read_counts: 2.0 });
+    let exposure = black_box(Exposure::as7341(16.0, 29, 599));
+    let covariance = to_xyz.covariance(&noise.variances(&exposure, &black_box([1000_u16; 8])));
+    if let Ok(xyz) = to_xyz.xyz(basic) {
+        black_box((covariance.uncertainty(), covariance.cct(xyz)));
+    }
+}
+
+fn spectra(basic: &BasicCounts<8>) {
+    if let Ok(smooth) = Reconstruction::smooth(&CHIP, black_box(0.95), black_box(0.01)) {
+        let light: Light<31, TenNm> = smooth.spectrum(basic);
+        black_box((light, smooth.seen_by(&EYE)));
+    }
+    let _ = black_box(nonnegative_spectrum(&CHIP, basic, black_box(0.01), black_box(30)));
+}
+
+fn time() {
+    let mut window = Window::<9>::new();
+    for reading in black_box([1.0; 12]) {
+        window.push(reading);
+    }
+    let (rate, hz) = black_box((1000.0, 100.0));
+    black_box((window.median(), window.mean(), Flicker::of(window.iter(), rate, hz)));
+    black_box((mean_over_periods(window.iter(), rate, hz), amplitude_at(window.iter(), rate, hz)));
+    black_box(Exposure::as7341(black_box(16.0), 29, 599).residual_modulation(hz));
+}
+
+unsafe extern "C" {
+    /// Defined nowhere: an image with a reachable panic does not link.
+    safe fn this_image_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    this_image_can_panic()
+}

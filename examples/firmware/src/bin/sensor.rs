@@ -1,0 +1,44 @@
+//! An instrument: readings of a chip to colour, a window over the last ones, and a log.
+//!
+//! `cargo run --release --target <triple> --bin sensor` boots it in QEMU and prints the log as text (see `run.sh`).
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("this image logs over a debugger: run it with --target thumbv7em-none-eabihf");
+}
+
+#[cfg(target_os = "none")]
+mod image {
+    use defmt::{info, warn};
+    use nanospectra::sensor::{Flicker, Window};
+    use nanospectra_firmware::pipeline::measure;
+    use nanospectra_firmware::readings::{BREATH_HZ, RATE_HZ, RECORDING};
+    use semihosting::process;
+
+    #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+    #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+    fn main() -> ! {
+        let (mut lux, mut kelvins) = (Window::<5>::new(), Window::<5>::new());
+        for counts in &RECORDING {
+            match measure(counts) {
+                Ok(color) => {
+                    info!("{} lx, {}, {}", color.xyz.y, color.cct, color.lab);
+                    lux.push(color.xyz.y);
+                    if let Some((cct_k, _)) = color.cct.near() {
+                        kelvins.push(cct_k);
+                    }
+                }
+                Err(why) => {
+                    warn!("{}", why);
+                    lux.clear();
+                    kelvins.clear();
+                }
+            }
+            if let Some(flicker) = Flicker::of(lux.iter(), RATE_HZ, BREATH_HZ) {
+                info!("    of the last five: {} K, {} % flicker", kelvins.median(), flicker.percent);
+            }
+        }
+        process::exit(0)
+    }
+}

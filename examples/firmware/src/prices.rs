@@ -1,0 +1,20 @@
+//! Instructions and bytes of stack of a step, printed: `name number unit`, of the dearest of several inputs. (Part of
+//! the images that print, since the library of images knows no `semihosting`, whose panic handler links.)
+
+use nanospectra_firmware::clock::Clock;
+use nanospectra_firmware::{stack, steps};
+use semihosting::println;
+
+pub struct Prices(pub Clock);
+
+impl steps::Meter for Prices {
+    fn step<A, R: Default>(&mut self, name: &str, f: fn(&A, &mut R), inputs: &[A]) {
+        let (mut instructions, mut bytes) = (0, 0);
+        for input in inputs {
+            instructions = self.0.count(f, input, &mut R::default()).max(instructions);
+            bytes = stack::needs(f, input, &mut R::default()).max(bytes);
+        }
+        println!("{name} {instructions} instructions");
+        println!("{name} {bytes} stack-bytes");
+    }
+}

@@ -1,0 +1,166 @@
+# What calls cost in instructions and stack, what images cost in flash, and what must not be in them.
+
+section "Costs (release is opt-level 3, small is opt-level s)"
+
+costs=$out/costs       # "target profile what number unit", one a line
+measured=$out/measured # "target profile unit", what could be measured here
+: >"$costs" >"$measured"
+
+weights=$((3 * 16 * 4)) # bytes: what 16 bands need
+fine_row=$((471 * 4))   # bytes: one row of a 1 nm table, which no image here may have
+
+# Symbols of formatting, panics and allocators; and of soft f64, by the names that Arm's and GCC's run-time
+# libraries use.
+allocator='rust_alloc|__rg_alloc|__rdl_alloc'
+text="4core3fmt|4core9panicking|flt2dec|$allocator"
+f64='__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d)|__[a-z]+df([0-9]|si|di|sf2)?$'
+
+# bytes <elf> <section>
+bytes() {
+    local hex
+    hex=$(readelf -SW "$1" | awk -v name="$2" '{ sub(/^ *\[ *[0-9]+\] */, "") } $1 == name { print $5 }')
+    echo $((16#${hex:-0}))
+}
+
+# lacks <label> <elf> <what> <pattern>
+lacks() {
+    local found
+    found=$(nm "$2" | grep -E "$4" | awk '{ print $NF }' || true)
+    if [[ -z $found ]]; then
+        pass "$1: no $3"
+    else
+        fail "$1: $3 in the image: ${found//$'\n'/ }"
+    fi
+}
+
+# no_fine_table <label> <elf>: the largest constant is smaller than a row of 1 nm. (Vectors are none of ours.)
+no_fine_table() {
+    local largest
+    largest=$(nm --print-size "$2" | awk '$3 ~ /^[rRdD]$/ && $4 != "__INTERRUPTS" { print $2 }' | sort | tail -1)
+    if ((16#${largest:-0} < fine_row)); then
+        pass "$1: no 1 nm table"
+    else
+        fail "$1: a 1 nm table, or another of 0x$largest bytes"
+    fi
+}
+
+# frugal <label> <elf>: what an image that links with a panic handler that cannot link must lack besides.
+frugal() {
+    lacks "$1" "$2" "core::fmt, panic or allocator" "$text"
+    lacks "$1" "$2" "soft f64" "$f64"
+    no_fine_table "$1" "$2"
+}
+
+# flash <target> <profile> <image>: what an image adds to a program that does nothing, on record.
+flash() {
+    local images=$CARGO_TARGET_DIR/$1/$2 code tables
+    code=$(($(bytes "$images/$3" .text) - $(bytes "$images/empty" .text)))
+    tables=$(($(bytes "$images/$3" .rodata) - $(bytes "$images/empty" .rodata)))
+    echo "$1 $2 $3-code $code bytes" >>"$costs"
+    echo "$1 $2 $3-tables $tables bytes" >>"$costs"
+    if ((tables >= fine_row)); then
+        fail "$1 $2: $3 has room for a 1 nm table in $tables bytes of tables"
+    fi
+    [[ $3 == fold16 ]] || return 0
+    # At opt-level 3 the weights may become literals between the instructions; they are in the code then.
+    if ((code + tables < 3 * fine_row)) && { ((tables == weights)) ||
+        { [[ $2 == release ]] && ((tables == 0)); }; }; then
+        pass "$1 $2: fold16 has $tables bytes of tables and $code of code"
+    else
+        fail "$1 $2: fold16 has $tables bytes of tables, must be $weights"
+    fi
+}
+
+# inside <target> <profile>: looks into the images.
+inside() {
+    local label="$1 $2" images=$CARGO_TARGET_DIR/$1/$2 image
+    if ! have readelf || ! have nm; then
+        skip "$label: no look into the images, readelf and nm (binutils) are not installed"
+        return
+    fi
+    for image in $priced; do
+        flash "$1" "$2" "$image"
+        frugal "$label: $image" "$images/$image"
+    done
+    echo "$1 $2 bytes" >>"$measured"
+    for image in $counting; do
+        lacks "$label: $image" "$images/$image" "soft f64" "$f64"
+    done
+    # The searches must find what is there: `count` prints, and the run-time library has every soft f64.
+    nm "$images/count" | grep -E "$text" >/dev/null || fail "$label: the search for core::fmt is blind"
+    nm "$(rustc --print sysroot)/lib/rustlib/$1/lib/"libcompiler_builtins-*.rlib 2>/dev/null |
+        grep -E "$f64" >/dev/null || fail "$label: the search for soft f64 is blind"
+}
+
+# Images that print "what number unit" (no unit: instructions), and those whose flash has a price.
+counting="count price price_whole"
+priced="fold16 counts_f32 counts_fixed"
+
+# device_costs <target> <profile>
+device_costs() {
+    local label="$1 $2" image
+    can_run "$1" "$label, costs" || return 0
+    measuring "$label" "$1" "$2" empty $counting $priced || return 0
+    for image in $counting; do
+        boot "$label" "$CARGO_TARGET_DIR/$1/$2/$image" "$out/count.device" || continue
+        awk -v row="$label" '{ print row, $1, $2, $3 ? $3 : "instructions" }' "$out/count.device" >>"$costs"
+    done
+    echo "$1 $2 instructions" >>"$measured"
+    echo "$1 $2 stack-bytes" >>"$measured"
+    inside "$1" "$2"
+}
+for target in $boards; do
+    device_costs $target release
+    device_costs $target small
+done
+
+# no_panic <target> <profile> <image>: every run-time step in one image: it links only if none of them can panic.
+no_panic() {
+    local label="$1 $2: $3" elf=$CARGO_TARGET_DIR/$1/$2/$3
+    can_run "$1" "$label" || return 0
+    measuring "$label" "$1" "$2" "$3" || return 0
+    pass "$label: links without a panic"
+    have nm || { skip "$label: nm is not installed"; return 0; }
+    lacks "$label" "$elf" "core::fmt, panic or allocator" "$text"
+    lacks "$label" "$elf" "soft f64" "$f64"
+    case $3 in
+    *sensor) no_fine_table "$label" "$elf" ;;
+    esac
+}
+for profile in release small; do
+    no_panic $m4f $profile no_panic
+    for target in $boards; do
+        no_panic $target $profile no_panic_sensor
+    done
+done
+
+# What a user copies must not be dear either; these print or log, so panics and core::fmt are in them.
+in_use() {
+    local label="$1 release: $2" elf=$CARGO_TARGET_DIR/$1/release/$2
+    if ! [[ -e $elf ]] || ! have nm; then
+        skip "$label: not built, or nm is not installed"
+        return
+    fi
+    lacks "$label" "$elf" "allocator" "$allocator"
+    lacks "$label" "$elf" "soft f64" "$f64"
+    no_fine_table "$label" "$elf"
+}
+for target in $boards; do
+    in_use $target sensor
+    in_use $target driver
+done
+
+while read -r target profile what limit unit; do
+    [[ -n $target ]] || continue
+    number=$(awk -v row="$target $profile" -v what="^$what\$" -v unit="$unit" '
+        $1 " " $2 == row && $3 ~ what && $5 == unit { sum += $4; found = 1 }
+        END { if (found) print sum }' "$costs")
+    label="$target $profile: $what takes ${number:-?} $unit, bar $limit"
+    if [[ -z $number ]]; then
+        skip "$label (not measured)"
+    elif ((number <= limit)); then
+        pass "$label"
+    else
+        fail "$label"
+    fi
+done <<<"$bars"

@@ -1,0 +1,62 @@
+# What readings mean: one test file on the host and on every board, an instrument's log, a driver on a bus.
+
+section "Meaning"
+
+# on_target <label> [cargo arguments]
+on_target() {
+    local label=$1
+    shift
+    if (cd "$root/examples/firmware" && cargo test --quiet --release --test on_target "$@") >"$out/on_target" 2>&1
+    then
+        pass "$label: tests/on_target.rs, $(grep '^on_target:' "$out/on_target")"
+    else
+        cat "$out/on_target"
+        fail "$label: tests/on_target.rs"
+    fi
+}
+
+# image <label> <name> <file> [cargo arguments]: runs an image by its runner, as a user does.
+image() {
+    local label=$1 name=$2 file=$3
+    shift 3
+    (cd "$root/examples/firmware" && cargo run --quiet --release --bin "$name" "$@") >"$file" ||
+        { fail "$label: $name exits with code $?"; return 1; }
+}
+
+on_target "host"
+if image "host" driver "$out/driver.host"; then
+    pass "host: driver, $(cat "$out/driver.host")"
+fi
+for target in $boards; do
+    can_run $target "$target, meaning" || continue
+    on_target $target --target $target
+    if image $target driver "$out/driver.$target" --target $target; then
+        if diff "$out/driver.host" "$out/driver.$target"; then
+            pass "$target: driver, as on the host"
+        else
+            fail "$target: driver, other than on the host"
+        fi
+    fi
+    # The first board's log is shown; the others must have the same.
+    if image $target sensor "$out/log.$target" --target $target; then
+        [[ -s $out/log ]] || { sed 's/^/    /' "$out/log.$target"; cp "$out/log.$target" "$out/log"; }
+        if grep -q 'lx, Near' "$out/log" && diff "$out/log" "$out/log.$target"; then
+            pass "$target: sensor logs $(grep -c . "$out/log.$target") lines by defmt"
+        else
+            fail "$target: sensor logs nothing, or other lines than the first board"
+        fi
+    fi
+done
+
+# A test that cannot fail proves nothing.
+if can_run $m4f "$m4f, a check that must fail"; then
+    if (cd "$root/examples/firmware" && MUST_FAIL=1 cargo test --quiet --release --test on_target --target $m4f) \
+        >"$out/must_fail" 2>&1; then
+        fail "$m4f: a check that fails goes unnoticed"
+    elif grep -q '^FAILED   nothing is asked to fail' "$out/must_fail"; then
+        pass "$m4f: a check that fails is noticed"
+    else
+        cat "$out/must_fail"
+        fail "$m4f: the check that must fail is not the one that does"
+    fi
+fi

@@ -1,0 +1,32 @@
+# The price list for the README: what is on record, as tables.
+
+# prices <file>: instructions of each call on each core, "release / small"; then stack and flash likewise.
+prices() {
+    local unit
+    for unit in instructions stack-bytes bytes; do
+        awk -v unit=$unit -v cores="$m4f $m33 $m0 $rv32" '
+            BEGIN {
+                title["instructions"] = "instructions"
+                title["stack-bytes"] = "bytes of stack"
+                title["bytes"] = "bytes of flash"
+                count = split(cores, core, " ")
+            }
+            /^#/ || $5 != unit { next }
+            # Code and tables of an image are one price.
+            { what = $3; sub(/-(code|tables)$/, "", what) }
+            !(what in known) { known[what] = 1; name[++names] = what }
+            { price[what, $1, $2] += $4; has[what, $1, $2] = 1 }
+            function cell(what, core, profile) { return (what, core, profile) in has ? price[what, core, profile] : "-" }
+            END {
+                print "| " title[unit] ", fast / small | Cortex-M4F | Cortex-M33 | Cortex-M0 | RV32IMAC |"
+                print "|---|---:|---:|---:|---:|"
+                for (n = 1; n <= names; n++) {
+                    row = "| `" name[n] "` |"
+                    for (c = 1; c <= count; c++)
+                        row = row " " cell(name[n], core[c], "release") " / " cell(name[n], core[c], "small") " |"
+                    print row
+                }
+                print ""
+            }' "$1"
+    done
+}

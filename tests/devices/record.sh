@@ -1,0 +1,53 @@
+# The numbers of this run against those on record.
+
+section "Record"
+
+if [[ $bless == yes ]]; then
+    # What could not be measured here keeps its lines.
+    kept=$(cat "$golden_costs" 2>/dev/null | awk '
+        /^#/ { next }
+        FILENAME == ARGV[1] { ran[$0] = 1; next }
+        !(($1 " " $2 " " $5) in ran)' "$measured" -)
+    {
+        echo "# Instructions of public calls (exact, QEMU with -icount), the bytes of stack they take, and the bytes of"
+        echo "# flash that images add to an empty one; release is opt-level 3, small is opt-level s. By"
+        echo "# tests/devices.sh --bless with"
+        echo "# $(rustc --version)"
+        { cat "$costs"; echo "$kept"; } | grep . | sort -k1,1r -k2,2 -s
+    } >"$golden_costs.new"
+    mv "$golden_costs.new" "$golden_costs"
+    echo "recorded in ${golden_costs#"$root"/}"
+else
+    [[ -f $golden_costs ]] || fail "nothing is on record in ${golden_costs#"$root"/}"
+    # Prints every change; "grown", "gone" and "new" are failures.
+    awk '
+        /^#/ { next }
+        FILENAME == ARGV[1] { ran[$0] = 1; next }
+        { key = $1 " " $2 " " $3 " " $5 }
+        FILENAME == ARGV[2] { old[key] = $4; next }
+        {
+            seen[key] = 1
+            if (!(key in old)) print "new", key ": " $4 ", not on record"
+            else if ($4 > old[key] * 1.02) print "grown", key ": " old[key] " -> " $4
+            else if ($4 != old[key]) print "moved", key ": " old[key] " -> " $4
+        }
+        END {
+            for (key in old) {
+                split(key, part, " ")
+                if (key in seen || !((part[1] " " part[2] " " part[4]) in ran)) continue
+                print "gone", key ": was " old[key]
+            }
+        }' "$measured" <(cat "$golden_costs" 2>/dev/null) "$costs" | sort >"$out/changes"
+    while read -r verdict change; do
+        case $verdict in
+        moved) echo "changed  $change" ;;
+        *) fail "$verdict: $change" ;;
+        esac
+    done <"$out/changes"
+    if grep -qvE '^moved' "$out/changes"; then
+        echo "on record by $(grep -s '^# rustc' "$golden_costs"), now by $(rustc --version)"
+        echo "if the change is meant, run tests/devices.sh --bless"
+    elif [[ -s $measured ]]; then
+        pass "no number on record has grown by more than 2 % ($(grep -c . "$costs") numbers)"
+    fi
+fi

@@ -1,0 +1,67 @@
+# Keeping score, installing, building and running: what every part of tests/devices.sh uses.
+
+passed=0 failed=0 skipped=0
+pass() { passed=$((passed + 1)); echo "ok       $*"; }
+fail() { failed=$((failed + 1)); echo "FAILED   $*"; }
+skip() { skipped=$((skipped + 1)); echo "SKIPPED  $*"; }
+section() { echo; echo "$*"; }
+
+have() { command -v "$1" >/dev/null; }
+have_target() { [[ -d $(rustc --print sysroot)/lib/rustlib/$1/lib ]]; }
+
+emulator() {
+    case $1 in
+    riscv32*) echo qemu-system-riscv32 ;;
+    *) echo qemu-system-arm ;;
+    esac
+}
+
+# can_run <target> <label>: whether `target` can be built and run here; if not it is skipped, and says why.
+can_run() {
+    if ! have_target "$1"; then
+        skip "$2: target $1 is not installed (rustup target add $1)"
+    elif ! have "$(emulator "$1")"; then
+        skip "$2: $(emulator "$1") is not installed"
+    else
+        return 0
+    fi
+    return 1
+}
+
+# A failed install is not fatal: what needs it is skipped below, and says so.
+install() {
+    local target sudo=
+    [[ $(id -u) == 0 ]] || sudo=sudo
+    for target in $boards $wasm; do
+        have_target $target || rustup target add $target || echo "::warning::could not add $target"
+    done
+    if ! have qemu-system-arm || ! have qemu-system-riscv32 || ! have readelf; then
+        # qemu-utils is only recommended, and conflicts with other packages on some images.
+        $sudo apt-get update &&
+            $sudo apt-get install -y --no-install-recommends qemu-system-arm qemu-system-misc binutils ||
+            echo "::warning::could not install QEMU or binutils"
+        # Newer releases have RISC-V in a package of its own.
+        have qemu-system-riscv32 || $sudo apt-get install -y --no-install-recommends qemu-system-riscv ||
+            echo "::warning::could not install QEMU for RISC-V"
+    fi
+}
+
+# firmware <label> <cargo arguments>: builds images, or runs one on the host (so what went wrong goes to stderr).
+firmware() {
+    local label=$1
+    shift
+    (cd "$root/examples/firmware" && cargo "$@") || { fail "$label does not build" >&2; return 1; }
+}
+
+# measuring <label> <target> <profile> <image>...: builds images that measure, with nothing in them that does not.
+measuring() {
+    local label=$1 target=$2 profile=$3
+    shift 3
+    firmware "$label" build --quiet --target "$target" --profile "$profile" \
+        --no-default-features --features measure "${@/#/--bin=}"
+}
+
+# boot <label> <elf> <file>: runs an image, and its output goes to the file.
+boot() {
+    "$root/examples/firmware/run.sh" "$2" >"$3" || { fail "$1: $(basename "$2") exits with code $?"; return 1; }
+}
