@@ -67,6 +67,7 @@ cargo test --no-default-features
 step "the benches run and check their results"
 cargo bench --bench observer -- --test
 cargo bench --bench color -- --test
+cargo bench --bench sensor -- --test
 
 step "the package is complete"
 cargo package --allow-dirty
