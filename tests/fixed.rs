@@ -301,7 +301,7 @@ proptest! {
     fn nothing_overflows(
         counts in any::<[u16; 4]>(), dark in prop::array::uniform4(0.0_f32..=65_535.0),
         rows in prop::array::uniform3(prop::array::uniform4(-1e9_f32..1e9)), size in -30_i32..20,
-        xyz in any::<[i32; 3]>(), fraction in -62_i8..=62, samples in any::<[u16; 4]>(),
+        xyz in any::<[i32; 3]>(), fraction in -62..=62_i32, samples in any::<[u16; 4]>(),
     ) {
         let calibration = Calibration::from_rows(rows).scaled(2.0_f32.powi(size));
         if let Some(meter) = FixedMeter::above(&Exposure::new(1.0, 1.0, 65_535), &dark, &calibration)

@@ -71,7 +71,7 @@ pub struct Args {
     #[arg(long, value_name = "N")]
     pub read_counts: Option<f32>,
 
-    /// A reading is too dark when no channel is so many counts above its dark level
+    /// A reading is too dark when its channels together are fewer counts above their dark levels
     #[arg(long, value_name = "N", default_value_t = 10.0)]
     pub floor: f32,
 

@@ -4,6 +4,8 @@
 //! divides the locus; what is missing is a parabola that depends on the distance. So one division and a dozen
 //! products replace the Newton step of the floats, at 0.1 mired.
 
+use super::xyz::quotient;
+
 include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
 
 /// Segments of the table.
@@ -105,7 +107,8 @@ impl FixedCct {
         } else {
             // Millionths: 10^6 / 2^20 = 15625 / 2^14.
             FixedCct::Near {
-                cct_k: (4_096_000_000 + mired / 2) / mired,
+                // 10^6 * 4096 / mired = 2^21 * 15625 / (8 mired).
+                cct_k: quotient(15_625, 8 * mired, 21) as u32,
                 mired_e3: (mired * 125) >> 9,
                 duv_e6: (duv * 15_625) >> 14,
             }
@@ -136,22 +139,10 @@ impl Knot {
     }
 }
 
-/// part / whole in units of 2^-15, for -whole < part < 2 whole and 0 < whole < 2^30: one binary digit at a time.
+/// part / whole in units of 2^-15, for -whole < part < 2 whole and 0 < whole < 2^30.
 fn share(part: i32, whole: i32) -> i32 {
-    let (mut rest, mut digits, mut left) = (part.unsigned_abs(), 0, 15);
-    let whole = whole as u32;
-    if rest >= whole {
-        rest -= whole;
-        digits = 1;
-    }
-    while left > 0 {
-        rest <<= 1;
-        digits <<= 1;
-        if rest >= whole {
-            rest -= whole;
-            digits += 1;
-        }
-        left -= 1;
-    }
+    let (size, whole) = (part.unsigned_abs(), whole as u32);
+    let digits =
+        if size < whole { quotient(size, whole, 15) } else { 32_768 + quotient(size - whole, whole, 15) };
     if part < 0 { -digits } else { digits }
 }

@@ -27,7 +27,7 @@ use core::marker::PhantomData;
 /// Each weight is within 2^-17 of the span of all weights: 3e-5 of full scale at worst for 81 bands to XYZ.
 ///
 /// # Cost
-/// 81 bands to XYZ take 1460 instructions on a Cortex-M0, where floats take 54 000; `2 C N` bytes.
+/// 81 bands to XYZ take 1260 instructions on a Cortex-M0, where floats take 54 000; `2 C N` bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedObserver<const C: usize, const N: usize, G = crate::grid::Bins<380, 730>> {
     /// Of each sum the weight of each band, plus `offset`.
