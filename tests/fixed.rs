@@ -234,11 +234,24 @@ fn a_meter_that_cannot_be_is_refused() {
     for level in [-1.0, 65_536.0, f32::NAN] {
         assert_eq!(FixedMeter::above(&exposure, &[0.0, level], &one(1.0)), None, "{level}");
     }
-    // Any size of weight finds its scale.
-    for w in [1e-30, 1e-6, 1.0, 1e6, 1e12] {
+    for row in 0..3 {
+        let mut rows = [[1.0; 2]; 3];
+        rows[row][0] = f32::NAN;
+        assert_eq!(FixedMeter::new(&exposure, &Calibration::from_rows(rows)), None, "NaN in row {row}");
+    }
+    // Usual sizes of weights find their scale, others are refused.
+    for w in [1e-12, 1e-6, 1.0, 1e6, 1e12] {
         let meter = FixedMeter::new(&exposure, &one(w)).expect("a scale");
         let xyz = meter.xyz(&[10_000, 20_000]).map(FixedXyz::to_xyz).expect("light");
-        assert!((xyz.y / (30_000.0 * w) - 1.0).abs() < 1e-5 || w == 1e-30, "{w}: {xyz:?}");
+        assert!((xyz.y / (30_000.0 * w) - 1.0).abs() < 3e-7, "{w}: {xyz:?}");
+    }
+    for w in [1e-30, 1e-25, 1e25, 1e30] {
+        assert_eq!(FixedMeter::new(&exposure, &one(w)), None, "{w}");
+    }
+    // However high the floor, less is too dark.
+    for floor in [5e9, f32::INFINITY] {
+        let meter = FixedMeter::new(&exposure.with_floor(floor), &one(1.0)).expect("a scale");
+        assert_eq!(meter.xyz(&[5, 5]), Err(Unusable::TooDark));
     }
 }
 
@@ -300,7 +313,7 @@ proptest! {
     #[test]
     fn nothing_overflows(
         counts in any::<[u16; 4]>(), dark in prop::array::uniform4(0.0_f32..=65_535.0),
-        rows in prop::array::uniform3(prop::array::uniform4(-1e9_f32..1e9)), size in -30_i32..20,
+        rows in prop::array::uniform3(prop::array::uniform4(-1e9_f32..1e9)), size in -120_i32..90,
         xyz in any::<[i32; 3]>(), fraction in -62..=62_i32, samples in any::<[u16; 4]>(),
     ) {
         let calibration = Calibration::from_rows(rows).scaled(2.0_f32.powi(size));

@@ -31,6 +31,11 @@ const BAD: &[(&[&str], &str, &str, &str)] = &[
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,1,1\n", "--sensor: ", "--responsivity"),
     (&["--sensor", "custom"], "gain,time_ms,full_scale\n1,1,1\n", "stdin:1: ", "no channel"),
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,0,1,1\n", "stdin:2: ", "above zero"),
+    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,0,1\n", "stdin:2: ", "no full scale"),
+    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,4294967295,1\n", "stdin:2: ", "0..2147483647"),
+    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1e20,1e20,9,1\n", "stdin:2: ", "no exposure"),
+    (&[], "G\n8,29,599,1,2,3,4,70000,6,7,8\n", "stdin:3: ", "more than the chip can count"),
+    (&["--floor=-1"], "", "--floor: ", "0 or more"),
     (&["--sensor", "as7342"], "", "sensor: ", "as7341"),
     (&["--unit", "absolute"], "G\n8,29,599,1,2,3,4,5,6,7,8\n", "--unit: ", "--responsivity"),
     (&["--calibration", "-"], "", "-: ", "once"),
@@ -58,6 +63,7 @@ fn files_about_the_chip_are_checked_as_strictly() {
     let log = "gain,time_ms,full_scale,a,b\n1,1,100,10,20\n";
     let cases = [
         ("--calibration", "row,a,b\nX,1,2\nY,1,2\n", 1, "not one row Z"),
+        ("--responsivity", "nm,a,b\n400,1,1\n500,-1,1\n", 3, "no responsivity"),
         ("--calibration", "row,a,b\nX,1,2\nY,1,2\nZ,1,2\nW,1,2\n", 5, "none of X, Y, Z"),
         ("--calibration", "a,b\n1,2\n", 1, "neither a matrix nor patches"),
         ("--calibration", "row,a\nX,1\n", 1, "no column 'b'"),

@@ -16,7 +16,7 @@ The log:
     opt4048        ch0, ch1, ch2        (codes: mantissa shifted left by the exponent)
     custom         gain, time_ms, full_scale; every other column is a channel
   gain is the factor (0.5, 1, 2, ..), not the register's code. Also known: time (seconds, for flicker), label
-  (readings in a row with the same label are one run), temperature_c, and dark_NAME for each channel: its count in
+  (readings in a row with the same label are one run), temperature_c (passed on), dark_NAME for each channel: its count in
   the dark at the same exposure. Other columns are not used, and named in a note.
   Nothing is dropped or guessed: what is wrong ends the program with exit code 2 and one line that says where.
 
@@ -124,7 +124,13 @@ impl Args {
         }
         let positive = |option: &str, value: Option<f32>, zero_too: bool| match value {
             Some(value) if !(value > 0.0 && value.is_finite() || zero_too && value == 0.0) => {
-                Err(Failure::of(option, format_args!("{value} is no such number; give one above 0")))
+                Err(Failure::of(
+                    option,
+                    format_args!(
+                        "{value} is no such number; give {}",
+                        if zero_too { "0 or more" } else { "one above 0" }
+                    ),
+                ))
             }
             _ => Ok(()),
         };

@@ -108,7 +108,22 @@ impl Chip {
                     value if value > 0.0 && value.is_finite() => Ok(value),
                     _ => Err((place, "not above zero; correct it".to_owned())),
                 };
-                Exposure::new(above_zero(0)?, above_zero(1)?, whole(2, u32::MAX)?.max(1))
+                let (gain, time_ms) = (above_zero(0)?, above_zero(1)?);
+                if !(1e-12..1e12).contains(&(f64::from(gain) * f64::from(time_ms))) {
+                    return Err((
+                        0,
+                        format!("which with time_ms {time_ms} is no exposure; correct one of them"),
+                    ));
+                }
+                match whole(2, i32::MAX as u32)? {
+                    0 => {
+                        return Err((
+                            2,
+                            "no full scale; give the first count that cannot be trusted".to_owned(),
+                        ));
+                    }
+                    full_scale => Exposure::new(gain, time_ms, full_scale),
+                }
             }
         })
     }
@@ -133,10 +148,19 @@ impl Chip {
         below.chain(usual).chain(long.iter().map(|time| with(most, time))).collect()
     }
 
+    /// The most that a channel can report.
+    pub fn largest_count(self) -> f64 {
+        match self {
+            Chip::Opt4048 => f64::from(Exposure::opt4048().full_scale()),
+            Chip::Custom => f64::MAX,
+            _ => 65_535.0,
+        }
+    }
+
     /// How its settings are written.
     pub fn describe(self, values: &[f64]) -> String {
         let named = self.settings().iter().zip(values);
-        named.map(|(name, value)| format!("{name} {}", *value as f32)).collect::<Vec<_>>().join(" ")
+        named.map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(" ")
     }
 
     /// The weights of its channels by the data sheet, if that is enough to tell them.

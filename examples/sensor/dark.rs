@@ -39,17 +39,9 @@ impl Frames {
             match same {
                 Some(frame) => {
                     frame.readings = frame.readings.saturating_add(1);
-                    frame
-                        .sums
-                        .iter_mut()
-                        .zip(&entry.counts)
-                        .for_each(|(sum, count)| *sum += f64::from(*count));
+                    frame.sums.iter_mut().zip(&entry.counts).for_each(|(sum, count)| *sum += count);
                 }
-                None => frames.push(Frame {
-                    exposure: entry.exposure,
-                    readings: 1,
-                    sums: entry.counts.into_iter().map(f64::from).collect(),
-                }),
+                None => frames.push(Frame { exposure: entry.exposure, readings: 1, sums: entry.counts }),
             }
         }
         Ok(Frames { file: dark.file, frames })
@@ -58,7 +50,7 @@ impl Frames {
     /// The dark level of an entry, if any is known.
     pub fn of(&self, entry: &Entry) -> Result<Option<Level>, Failure> {
         if let Some(counts) = &entry.dark {
-            return Ok(Some(Level { counts: counts.clone(), readings: 1 }));
+            return level(&self.file, entry, counts.iter().copied(), 1);
         }
         if self.frames.is_empty() {
             return Ok(None);
@@ -73,7 +65,29 @@ impl Frames {
                 ),
             ));
         };
-        let mean = |sum: &f64| (sum / f64::from(frame.readings)) as f32;
-        Ok(Some(Level { counts: frame.sums.iter().map(mean).collect(), readings: frame.readings }))
+        level(&self.file, entry, frame.sums.iter().map(|sum| sum / f64::from(frame.readings)), frame.readings)
     }
+}
+
+/// A level that leaves room for light.
+fn level(
+    file: &str,
+    entry: &Entry,
+    counts: impl Iterator<Item = f64>,
+    readings: u16,
+) -> Result<Option<Level>, Failure> {
+    let counts: Vec<f32> = counts.map(|count| count as f32).collect();
+    let full_scale = entry.exposure.map_or(f32::INFINITY, |exposure| exposure.full_scale() as f32);
+    if let Some(k) = counts.iter().position(|count| *count >= full_scale) {
+        return Err(Failure::of(
+            file,
+            format_args!(
+                "channel {} counts {} in the dark, which is full scale at line {} of the log; measure the dark again",
+                k + 1,
+                counts[k],
+                entry.line
+            ),
+        ));
+    }
+    Ok(Some(Level { counts, readings }))
 }

@@ -1,6 +1,7 @@
 //! Readings and runs as JSON, one object a line: every number with all the digits it has.
 
 use crate::Report;
+use crate::chip::Chip;
 use crate::instrument::Setup;
 use crate::measure::{Color, Reading, Status};
 use crate::runs::Run;
@@ -35,8 +36,8 @@ fn object(report: &Report, reading: &Reading) -> Value {
             "gain": single(reading.exposure.gain()),
             "time_ms": single(reading.exposure.time_ms()),
             "full_scale": reading.exposure.full_scale(),
-            "shows_100_hz": single(reading.exposure.residual_modulation(100.0)),
-            "shows_120_hz": single(reading.exposure.residual_modulation(120.0)),
+            "shows_100_hz": shown(setup, reading, 100.0),
+            "shows_120_hz": shown(setup, reading, 120.0),
         },
         "temperature_c": reading.temperature_c.map(single),
         "basic_counts": reading.basic.as_ref().map(|basic| channels(setup, basic)),
@@ -61,7 +62,7 @@ fn color(color: &Color) -> Value {
     let (cct_k, duv) = color.cct.and_then(Cct::near).unzip();
     let cct = color.cct_uncertainty;
     json!({
-        "unit": if color.lux.is_some() { "absolute" } else { "relative" },
+        "unit": if color.absolute { "absolute" } else { "relative" },
         "XYZ": color.xyz.to_array().map(single),
         "xy": color.xy.map(|p| [p.x, p.y].map(single)),
         "lux": color.lux.map(single),
@@ -140,6 +141,7 @@ fn run(run: &Run) -> Value {
             "percent": found.map(|(flicker, _)| single(flicker.percent)),
             "index": found.map(|(flicker, _)| single(flicker.index)),
             "amplitude": found.map(|(_, amplitude)| single(*amplitude)),
+            "confused_with_hz": at.confused_with_hz.map(single),
             "shown_by_readings": single(at.shown),
             "note": at.found.as_ref().err(),
         })
@@ -155,10 +157,15 @@ fn run(run: &Run) -> Value {
     })
 }
 
+/// The share of a flicker that the reading still shows; an OPT4048 does not tell its conversion time.
+fn shown(setup: &Setup, reading: &Reading, hz: f32) -> Value {
+    if setup.chip == Chip::Opt4048 { Value::Null } else { single(reading.exposure.residual_modulation(hz)) }
+}
+
 /// Whole counts as such.
-fn raw(setup: &Setup, counts: &[f32]) -> Value {
-    let count = |count: &f32| {
-        if count.fract() == 0.0 && *count < 4e9 { Value::from(*count as u32) } else { single(*count) }
+fn raw(setup: &Setup, counts: &[f64]) -> Value {
+    let count = |count: &f64| {
+        if count.fract() == 0.0 && *count < 4e9 { Value::from(*count as u32) } else { Value::from(*count) }
     };
     setup.channels.iter().cloned().zip(counts.iter().map(count)).collect()
 }

@@ -27,9 +27,9 @@ pub struct Entry {
     pub settings: Vec<f64>,
     /// `None` only in a dark log without exposures.
     pub exposure: Option<Exposure>,
-    pub counts: Vec<f32>,
+    pub counts: Vec<f64>,
     /// Of `dark_*` columns.
-    pub dark: Option<Vec<f32>>,
+    pub dark: Option<Vec<f64>>,
     /// Columns that were not used, once for all entries.
     pub unused: Vec<String>,
 }
@@ -124,7 +124,7 @@ fn exposure(
     })
 }
 
-fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec<f32>, Failure> {
+fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec<f64>, Failure> {
     let count = |place: &usize| {
         let (count, name) = (table.number(row, *place)?, &table.heading[*place]);
         let wrong = |what: &str| Failure::at(&table.file, row.line, format!("'{name}' is {count}, {what}"));
@@ -134,7 +134,10 @@ fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec
         if chip.counts_are_whole() && count.fract() != 0.0 {
             return Err(wrong("no whole count; give raw counts, not basic or scaled ones"));
         }
-        Ok(count as f32)
+        if count > chip.largest_count() {
+            return Err(wrong("more than the chip can count; correct it, or remove the row"));
+        }
+        Ok(count)
     };
     places.iter().map(count).collect()
 }

@@ -1,7 +1,6 @@
 //! One reading, measured.
 
 use crate::advice::{self, Next};
-use crate::chip::{BINS, Grid};
 use crate::dark::Frames;
 use crate::failure::Failure;
 use crate::instrument::{Instrument, Setup};
@@ -19,7 +18,7 @@ pub struct Reading {
     pub temperature_c: Option<f32>,
     pub settings: String,
     pub exposure: Exposure,
-    pub counts: Vec<f32>,
+    pub counts: Vec<f64>,
     pub status: Status,
     pub basic: Option<Vec<f32>>,
     pub color: Option<Color>,
@@ -60,6 +59,8 @@ pub struct Color {
     pub cct_uncertainty: Option<CctUncertainty>,
     pub lux: Option<f32>,
     pub lux_uncertainty: Option<f32>,
+    /// Whether XYZ has Y in lux.
+    pub absolute: bool,
     pub ppfd: Option<f32>,
     /// (nm, power per nm): W/m2/nm if lux is known.
     pub spectrum: Option<Vec<(f32, f32)>>,
@@ -73,7 +74,8 @@ pub fn reading<const C: usize>(
 ) -> Result<Reading, Failure> {
     let lost = || Failure::of("log", "an entry without exposure or with other channels; report this");
     let exposure = entry.exposure.ok_or_else(lost)?.with_floor(setup.floor);
-    let counts: [f32; C] = entry.counts.as_slice().try_into().map_err(|_| lost())?;
+    let counts: [f64; C] = entry.counts.as_slice().try_into().map_err(|_| lost())?;
+    let counts = counts.map(|count| count as f32);
     let level = dark.of(entry)?;
     let mut variances = setup.noise.variances(&exposure, &counts);
     let outcome = match &level {
@@ -126,7 +128,13 @@ pub fn reading<const C: usize>(
                 "the sums are negative: a light unlike those of the calibration, or noise".into(),
             ));
         }
-        reading.color = Some(color(instrument, setup, &basic, &variances, reading.status == Status::Ok));
+        let color = color(instrument, setup, &basic, &variances, reading.status == Status::Ok);
+        if color.spectrum.is_none() && instrument.spectrum.is_some() {
+            reading
+                .notes
+                .push(("spectrum", "the eye sees too little of it to tell its power from the lux".into()));
+        }
+        reading.color = Some(color);
     }
     Ok(reading)
 }
@@ -147,11 +155,14 @@ fn color<const C: usize>(
         None => (xyz.y, covariance.uncertainty().y),
     };
     let lux_is_known = (setup.absolute || instrument.to_lux.is_some()) && is_one;
-    let spectrum = instrument.spectrum.map(|spectrum| {
+    let spectrum = instrument.spectrum.and_then(|spectrum| {
         let light = spectrum.spectrum(basic);
-        // So that its illuminance is that of the calibration.
-        let own = instrument.of_spectrum.map_or(0.0, |matrix| matrix.apply(basic)[1]);
-        if lux_is_known && own > 0.0 { light.scaled_by(lux / own) } else { light }
+        if !lux_is_known {
+            return Some(light);
+        }
+        // So that its illuminance is that of the calibration; if the eye sees enough of it to tell.
+        let [_, own, _] = instrument.of_spectrum?.rows().map(|row| sum_and_size(&row, basic));
+        (own.0 > 0.02 * own.1).then(|| Light::from_bins(light.values().map(|value| value * (lux / own.0))))
     });
     Color {
         xyz,
@@ -161,6 +172,7 @@ fn color<const C: usize>(
         cct_uncertainty: seen.and_then(|xyz| covariance.cct(xyz)),
         lux: lux_is_known.then_some(lux),
         lux_uncertainty: lux_is_known.then_some(lux_uncertainty),
+        absolute: setup.absolute,
         ppfd: spectrum.filter(|_| lux_is_known).map(|light| {
             let fine: Fine<nanospectra::Power> = light.interpolate(Interpolation::Linear, Outside::Zero);
             ppfd(&fine)
@@ -171,12 +183,7 @@ fn color<const C: usize>(
     }
 }
 
-trait Scaled {
-    fn scaled_by(self, factor: f32) -> Self;
-}
-
-impl Scaled for Light<BINS, Grid> {
-    fn scaled_by(self, factor: f32) -> Self {
-        Light::from_bins(self.values().map(|value| value * factor))
-    }
+/// What a row comes to, and the sizes of its terms.
+fn sum_and_size<const C: usize>(row: &[f32; C], basic: &BasicCounts<C>) -> (f32, f32) {
+    row.iter().zip(basic.values()).fold((0.0, 0.0), |(sum, size), (w, x)| (sum + w * x, size + (w * x).abs()))
 }

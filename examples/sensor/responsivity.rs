@@ -18,7 +18,14 @@ pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failur
         let samples = table
             .rows
             .iter()
-            .map(|row| Ok((table.number(row, nm)? as f32, table.number(row, place)? as f32)))
+            .map(|row| match (table.number(row, nm)? as f32, table.number(row, place)? as f32) {
+                (_, value) if value < 0.0 => Err(Failure::at(
+                    &table.file,
+                    row.line,
+                    format!("'{}' is {value}, no responsivity; give 0 or more", table.heading[place]),
+                )),
+                sample => Ok(sample),
+            })
             .collect::<Result<Vec<_>, Failure>>()?;
         let curve = Light::<BINS, Grid>::from_samples(&samples, Outside::Zero).map_err(|error| {
             let line = |index: usize| table.rows.get(index).map_or(table.line, |row| row.line);

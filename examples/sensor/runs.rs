@@ -21,6 +21,8 @@ pub struct At {
     pub frequency_hz: f32,
     /// The flicker and the amplitude at this frequency over the mean, or why there is none.
     pub found: Result<(Flicker, f32), String>,
+    /// Another frequency that the run is too short to tell from this one.
+    pub confused_with_hz: Option<f32>,
     /// The share of the flicker that readings of this length still show.
     pub shown: f32,
 }
@@ -31,9 +33,10 @@ pub fn of(readings: &[Reading], frequencies_hz: &[f32]) -> Vec<Run> {
     runs.map(|run| {
         let rate_hz = rate(run);
         let flicker = match (&rate_hz, values(run)) {
-            (Ok(rate), Ok(values)) => {
-                frequencies_hz.iter().map(|hz| at(&values, *rate, *hz, run[0].exposure)).collect()
-            }
+            (Ok(rate), Ok(values)) => frequencies_hz
+                .iter()
+                .map(|hz| at(&values, *rate, *hz, frequencies_hz, run[0].exposure))
+                .collect(),
             _ => Vec::new(),
         };
         let rate_hz = rate_hz.and_then(|rate| values(run).map(|_| rate));
@@ -61,7 +64,9 @@ fn values(run: &[Reading]) -> Result<Vec<f32>, String> {
     values.ok_or_else(|| "a reading is saturated".into())
 }
 
-fn at(values: &[f32], rate_hz: f32, frequency_hz: f32, exposure: Exposure) -> At {
+fn at(values: &[f32], rate_hz: f32, frequency_hz: f32, others_hz: &[f32], exposure: Exposure) -> At {
+    let seconds = values.len() as f32 / rate_hz;
+    let near = |other: &&f32| **other != frequency_hz && (**other - frequency_hz).abs() * seconds < 1.0;
     let found = if rate_hz < 2.0 * frequency_hz {
         Err(format!("needs {} or more readings a second", 2.0 * frequency_hz))
     } else {
@@ -70,5 +75,10 @@ fn at(values: &[f32], rate_hz: f32, frequency_hz: f32, exposure: Exposure) -> At
             _ => Err("needs a whole period, and light".into()),
         }
     };
-    At { frequency_hz, found, shown: exposure.residual_modulation(frequency_hz) }
+    At {
+        frequency_hz,
+        found,
+        confused_with_hz: others_hz.iter().find(near).copied(),
+        shown: exposure.residual_modulation(frequency_hz),
+    }
 }

@@ -111,13 +111,15 @@ fn flicker(run: &Run) -> String {
         text += &match &at.found {
             Ok((flicker, amplitude)) => format!(
                 "  {} Hz: mean {}, percent flicker {:.1} %, flicker index {:.3}, amplitude {:.3} of the mean \
-                 (readings show {:.1} % of it)\n",
+                 (readings show {:.1} % of it{})\n",
                 at.frequency_hz,
                 significant(flicker.mean),
                 flicker.percent,
                 flicker.index,
                 amplitude,
-                100.0 * at.shown
+                100.0 * at.shown,
+                at.confused_with_hz
+                    .map_or(String::new(), |hz| format!("; too short a run to tell it from {hz} Hz"))
             ),
             Err(why) => format!("  {} Hz: {why}\n", at.frequency_hz),
         };

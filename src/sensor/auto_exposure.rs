@@ -92,7 +92,8 @@ impl<'a> AutoExposure<'a> {
 
     /// The next place, from the raw counts of a reading at the place `in_use`.
     ///
-    /// A light that does not change is found in four readings, wherever it begins: saturated ones step down until
+    /// A light that does not change is found in four readings, wherever it begins, on a ladder like [`AS7341_LADDER`]
+    /// (full scales of thousands of counts, steps of up to 8): saturated ones step down until
     /// 64 counts would be left of a full scale, and what is then counted tells the rest. With NaN among the counts
     /// it stays.
     #[must_use]

@@ -24,16 +24,18 @@ pub struct Exposure {
 }
 
 impl Exposure {
-    /// Any chip: `gain` and `time_ms` above zero, and the first count that cannot be trusted any more (below 2^31).
+    /// Any chip: `gain` and `time_ms` above zero (with others, or a product that overflows, every reading is NaN), and the first count that cannot be trusted any more (below 2^31).
     ///
     /// A reading is too dark when all channels together count less than 1 above their dark levels; see
     /// [`with_floor`](Self::with_floor).
     #[must_use]
     pub const fn new(gain: f32, time_ms: f32, full_scale: u32) -> Self {
+        let product = gain * time_ms;
+        let usable = product > 0.0 && product < f32::INFINITY && 1.0 / product < f32::INFINITY;
         Exposure {
             gain,
             time_ms,
-            per_count: 1.0 / (gain * time_ms),
+            per_count: if usable { 1.0 / product } else { f32::NAN },
             full_scale: if full_scale < 0x7fff_ffff { full_scale } else { 0x7fff_ffff },
             floor: 1.0,
         }

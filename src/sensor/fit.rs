@@ -7,7 +7,7 @@ use crate::color::Xyz;
 use core::fmt;
 
 /// Least squares from counts to XYZ (or to any `D` numbers), fed patch by patch without storing the patches:
-/// 4 (C + 1) (C + D) bytes and 8, 432 for the eight channels of an AS7341, whether 12 patches come or 300.
+/// 4 (C (C + D) + D + 1) bytes, 368 for the eight channels of an AS7341, whether 12 patches come or 300.
 ///
 /// A patch is any light whose XYZ is known: a chart under a lamp beside a reference meter, or the lamp alone.
 /// Lights that the sensor will meet belong among them: a matrix made under one lamp is right for that lamp.
@@ -65,7 +65,7 @@ impl<const C: usize, const D: usize> Fit<C, D> {
     /// be added.
     ///
     /// # Cost
-    /// `C` + `D` square roots, 2 `C` divisions besides, 2 `C` (`C` + 2 `D`) multiplications.
+    /// `C` + `D` square roots, some 4 `C` + 2 `D` divisions, 2 `C` (`C` + 2 `D`) multiplications.
     pub const fn add(&mut self, basic: &BasicCounts<C>, target: [f32; D], weight: f32) {
         if weight == 0.0 {
             return;
@@ -133,7 +133,7 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         let h_root = norm(&forward(self.triangle.factor(), weighted(*basic.values(), weight)));
         let others = (1.0 - h_root) * (1.0 + h_root);
         if self.patches as usize <= C && weight != 0.0 {
-            return Err(FitError::TooFew { patches: self.patches - 1, needed: C });
+            return Err(FitError::TooFew { patches: self.patches.saturating_sub(1), needed: C });
         }
         if others.is_nan() {
             return Err(FitError::NotFinite);

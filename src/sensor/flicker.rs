@@ -36,7 +36,7 @@ pub struct Flicker {
     pub mean: f32,
     /// Percent flicker, 0..=100: (max - min) / (max + min) of the readings of these periods.
     pub percent: f32,
-    /// Flicker index, 0..=1: what lies above the mean, as a share of all.
+    /// Flicker index, 0..=1 for readings that are not negative: what lies above the mean, as a share of all.
     pub index: f32,
 }
 
@@ -168,7 +168,7 @@ impl Exposure {
     }
 }
 
-/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms`, in ms; `None` if not
+/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms` (to rounding), in ms; `None` if not
 /// even one fits.
 #[must_use]
 pub const fn whole_periods_ms(frequency_hz: f32, at_most_ms: f32) -> Option<f32> {

@@ -29,7 +29,7 @@ impl<const CAP: usize> Window<CAP> {
         if self.0.is_full() {
             self.0.pop_front();
         }
-        // There is room now, unless CAP is 0 and nothing can be kept.
+        // There is room now: a window of no readings does not compile.
         let _ = self.0.push_back(reading);
     }
 

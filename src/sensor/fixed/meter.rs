@@ -6,7 +6,7 @@ use crate::sensor::{Calibration, Channels, Exposure, Unusable};
 /// [`Meter`](crate::sensor::Meter) in integers: exposure, dark level and calibration in weights of 31 bits.
 ///
 /// # Accuracy
-/// XYZ within `C + 1` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight were
+/// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight were
 /// negative).
 ///
 /// # Cost
@@ -28,7 +28,8 @@ pub struct FixedMeter<const C: usize> {
 const LARGEST_SUM: f64 = (1_u32 << 30) as f64;
 
 impl<const C: usize> FixedMeter<C> {
-    /// A meter that reads with this exposure; `None` if all weights are zero or one is no number. For `const` use:
+    /// A meter that reads with this exposure; `None` if all weights are zero, one is no number, or they are
+    /// beyond 1e-15..1e15 or so of what is usual. For `const` use:
     /// it computes in f64.
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Option<Self> {
@@ -53,8 +54,8 @@ impl<const C: usize> FixedMeter<C> {
                 sum += (rows[d][c] as f64 * per_count).abs() * 65_536.0;
                 c += 1;
             }
-            // NaN stays.
-            largest = if sum <= largest { largest } else { sum };
+            // NaN comes and stays.
+            largest = if sum <= largest || largest.is_nan() { largest } else { sum };
             d += 1;
         }
         if !(largest > 0.0 && largest < f64::INFINITY) {
@@ -68,6 +69,9 @@ impl<const C: usize> FixedMeter<C> {
         while largest * scale >= LARGEST_SUM && fraction > -62 {
             scale /= 2.0;
             fraction -= 1;
+        }
+        if largest * scale >= LARGEST_SUM || largest * scale * 2.0 < LARGEST_SUM {
+            return None;
         }
         let (mut columns, mut start, mut total) = ([[0; 3]; C], [0; 3], exposure.floor() as f64);
         let mut c = 0;
@@ -135,5 +139,5 @@ const fn rounded(x: f64) -> i32 {
 
 const fn ceiling(x: f64) -> u32 {
     let whole = x as u32;
-    if (whole as f64) < x { whole + 1 } else { whole }
+    if (whole as f64) < x { whole.saturating_add(1) } else { whole }
 }

@@ -7,8 +7,9 @@ use core::hint::black_box;
 use nanospectra::Light;
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::sensor::{
-    AS7341_LADDER, AutoExposure, BasicCounts, Calibration, Dark, Drift, Exposure, Fit, Flicker, Noise,
-    Reconstruction, Window, amplitude_at, mean_over_periods, nominal, nonnegative_spectrum,
+    AS7341_LADDER, AutoExposure, BasicCounts, Calibration, Dark, Drift, Exposure, FirstPixel, Fit, Flicker,
+    Noise, Reconstruction, Wavelengths, Window, above_dark_pixels, amplitude_at, mean_over_periods, nominal,
+    nonnegative_spectrum,
 };
 use nanospectra::{Nodes, Power};
 use nanospectra_firmware::pipeline::measure;
@@ -50,7 +51,14 @@ fn calibrations(basic: &BasicCounts<8>) {
         fit.add(&black_box(*basic), target, black_box(1.0));
     }
     let to_xyz = black_box(fit.solve()).unwrap_or(Calibration::from_rows([[1.0; 8]; 3]));
-    black_box((fit.residual_rms(), fit.patches()));
+    black_box((fit.residual_rms(), fit.patches(), fit.condition().ok()));
+    black_box(fit.leave_one_out(&black_box(BasicCounts::new([1.0; 8])), black_box([1.0; 3]), 1.0).ok());
+    if let Ok(wavelengths) =
+        Wavelengths::<288>::new(black_box([310.0, 2.7, 1e-4, 0.0, 0.0, 0.0]), FirstPixel::One)
+    {
+        let pixels = above_dark_pixels(&black_box([100_u16; 288]), black_box(0..10)).unwrap_or([0.0; 288]);
+        black_box(wavelengths.rebinned::<41, Nodes<380, 780>>(&pixels).counts.density());
+    }
     let to_xyz = to_xyz.without_crosstalk(&black_box([[0.1; 8]; 8])).unwrap_or(to_xyz);
     let to_xyz = to_xyz.behind_glass(black_box(0.9)).corrected(&black_box([1.0; 8]));
     let noise = black_box(Noise { electrons_per_count: 20.0, read_counts: 2.0 });
