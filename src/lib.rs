@@ -40,6 +40,7 @@
 //! * [`matter`]: what light meets: the standard test samples.
 //! * [`observer`]: what looks: eyes, cones, V(lambda), any C-channel sensor; the fold.
 //! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
+//! * [`upsample`]: the way back: a spectrum for an RGB, exact, smooth and within 0..=1.
 //! * [`radiometry`]: what it does: lumens, melanopic stimulation, photons.
 //! * [`sensor`]: how silicon sees it: raw counts to colour, calibration, uncertainty, integers only.
 //! * [`math`]: the elementary functions, and the backends that provide them.
@@ -81,6 +82,8 @@ pub mod matter;
 pub mod observer;
 
 pub mod color;
+
+pub mod upsample;
 
 pub mod radiometry;
 

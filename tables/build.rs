@@ -12,6 +12,7 @@ use std::{env, fs};
 mod fixed_locus;
 mod locus;
 mod table;
+mod upsample;
 
 use table::Table;
 
@@ -101,6 +102,8 @@ fn generate() -> Result<(), String> {
         sample_set(&mut text, visible, name, "Factor", &table);
     }
     save(&out.join("samples.rs"), &text)?;
+
+    save(&out.join("upsample.rs"), &upsample::source(&tables.join("upsample"))?)?;
 
     let cmf = Table::read(&tables.join("cmf/cie_1931_2deg_xyz_1nm.csv"))?;
     save(&out.join("fixed_locus.rs"), &fixed_locus::source(&cmf))?;

@@ -1,12 +1,12 @@
 //! The few 3x3 matrices colour needs: derived once in f64 by the compiler, applied in f32.
 
 /// Row-major; const evaluation only.
-pub(super) type Matrix64 = [[f64; 3]; 3];
+pub(crate) type Matrix64 = [[f64; 3]; 3];
 /// Row-major; what the device multiplies with.
-pub(super) type Matrix = [[f32; 3]; 3];
+pub(crate) type Matrix = [[f32; 3]; 3];
 
 /// a b
-pub(super) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
+pub(crate) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
     let mut out = [[0.0; 3]; 3];
     let mut i = 0;
     while i < 3 {
@@ -21,7 +21,7 @@ pub(super) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
 }
 
 /// The inverse by cofactors; `m` is one of the crate's own matrices and has one.
-pub(super) const fn inverse64(m: &Matrix64) -> Matrix64 {
+pub(crate) const fn inverse64(m: &Matrix64) -> Matrix64 {
     let [[a, b, c], [d, e, f], [g, h, i]] = *m;
     let det = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
     [
@@ -32,14 +32,14 @@ pub(super) const fn inverse64(m: &Matrix64) -> Matrix64 {
 }
 
 /// m v
-pub(super) const fn apply64(m: &Matrix64, v: [f64; 3]) -> [f64; 3] {
+pub(crate) const fn apply64(m: &Matrix64, v: [f64; 3]) -> [f64; 3] {
     let [a, b, c] = m;
     let [x, y, z] = v;
     [a[0] * x + a[1] * y + a[2] * z, b[0] * x + b[1] * y + b[2] * z, c[0] * x + c[1] * y + c[2] * z]
 }
 
 /// Column `j` of `m` times `k[j]`: m diag(k).
-pub(super) const fn scale_columns64(m: &Matrix64, k: [f64; 3]) -> Matrix64 {
+pub(crate) const fn scale_columns64(m: &Matrix64, k: [f64; 3]) -> Matrix64 {
     let [a, b, c] = *m;
     [
         [a[0] * k[0], a[1] * k[1], a[2] * k[2]],
@@ -49,7 +49,7 @@ pub(super) const fn scale_columns64(m: &Matrix64, k: [f64; 3]) -> Matrix64 {
 }
 
 /// Rounded to f32, each element once.
-pub(super) const fn rounded(m: &Matrix64) -> Matrix {
+pub(crate) const fn rounded(m: &Matrix64) -> Matrix {
     let [a, b, c] = *m;
     [
         [a[0] as f32, a[1] as f32, a[2] as f32],
@@ -59,7 +59,7 @@ pub(super) const fn rounded(m: &Matrix64) -> Matrix {
 }
 
 /// m v
-pub(super) const fn apply(m: &Matrix, v: [f32; 3]) -> [f32; 3] {
+pub(crate) const fn apply(m: &Matrix, v: [f32; 3]) -> [f32; 3] {
     let [a, b, c] = m;
     let [x, y, z] = v;
     [a[0] * x + a[1] * y + a[2] * z, b[0] * x + b[1] * y + b[2] * z, c[0] * x + c[1] * y + c[2] * z]

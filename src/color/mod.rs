@@ -12,7 +12,7 @@ mod dominant;
 mod gamut;
 mod lab;
 mod luv;
-mod matrix;
+pub(crate) mod matrix;
 mod oklab;
 #[cfg(feature = "libm")]
 mod reference;
@@ -39,6 +39,7 @@ pub use oklab::Oklab;
 #[cfg(feature = "libm")]
 pub use reference::RenderingError;
 pub use rgb::{EncodedRgb, Rgb};
+pub(crate) use rgb_space::to_xyz64;
 pub use rgb_space::{AcesCg, AdobeRgb, Bt2020, DisplayP3, RgbSpace, Srgb};
 #[cfg(feature = "libm")]
 pub use tm30::{HueBin, Tm30, tm30};

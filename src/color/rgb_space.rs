@@ -99,7 +99,7 @@ const fn column(xy: [f64; 2]) -> [f64; 3] {
 }
 
 /// The primaries in the proportion that makes the white of them.
-const fn to_xyz64(primaries: &[[f64; 2]; 3], white: [f64; 2]) -> [[f64; 3]; 3] {
+pub(crate) const fn to_xyz64(primaries: &[[f64; 2]; 3], white: [f64; 2]) -> [[f64; 3]; 3] {
     let [r, g, b] = [column(primaries[0]), column(primaries[1]), column(primaries[2])];
     let m = [[r[0], g[0], b[0]], [r[1], g[1], b[1]], [r[2], g[2], b[2]]];
     scale_columns64(&m, apply64(&inverse64(&m), column(white)))

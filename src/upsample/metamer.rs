@@ -1,0 +1,111 @@
+//! What of a spectrum an eye cannot see.
+
+use crate::color::matrix::{Matrix64, inverse64};
+#[cfg(feature = "libm")]
+use crate::color::{Xyz, ciede2000};
+use crate::grid::{Bins, Grid};
+use crate::observer::Observer;
+use crate::spectrum::{Factor, Quantity, Spectrum};
+
+/// Cohen's matrix R of an observer with three channels: it splits a spectrum into its *fundamental*, which is
+/// all the observer sees, and its *metameric black*, which it does not see at all.
+///
+/// Two spectra are metamers when their fundamentals are the same; a black of any size can be added.
+///
+/// ```
+/// use nanospectra::{Light, Observer, Power, Curve, light, observer::CIE_1931, upsample::CohenR};
+/// use nanospectra::{Interpolation, Nodes, Outside};
+/// type Lamp = Light<81, Nodes<380, 780>>;
+/// static EYE: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Curve::Step);
+/// static R: CohenR<81, Power, Nodes<380, 780>> = CohenR::new(&EYE);
+/// let (lamp, smooth): (Lamp, Lamp) = (light::FL11, R.fundamental(&light::FL11));
+/// let ([x, y, z], same) = (EYE.sees(&lamp), EYE.sees(&smooth));
+/// assert!((same[0] / x - 1.0).abs() < 1e-5 && (same[1] / y - 1.0).abs() < 1e-5);
+/// let [_, unseen, _] = EYE.sees(&R.black(&lamp));
+/// assert!(unseen.abs() < 1e-5 * y);
+/// # let _ = z;
+/// ```
+///
+/// # Accuracy
+/// The black reads 3e-6 of what the spectrum reads (`tests/upsample_displays.rs`).
+///
+/// # Reference
+/// J. B. Cohen, W. E. Kappauf, "Metameric color stimuli, fundamental metamers, and Wyszecki's metameric
+/// blacks", Am. J. Psychology 95 (1982).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CohenR<const N: usize, Q = Factor, G = Bins<380, 730>> {
+    eye: Observer<3, N, Q, G>,
+    /// Turns what is seen into the amounts of the eye's own rows.
+    dual: Observer<3, N, Q, G>,
+}
+
+impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
+    /// Of this observer; for `const` use.
+    #[must_use]
+    pub const fn new(eye: &Observer<3, N, Q, G>) -> Self {
+        let rows = eye.weights();
+        let mut gram: Matrix64 = [[0.0; 3]; 3];
+        let mut i = 0;
+        while i < 3 {
+            let mut j = 0;
+            while j < 3 {
+                let mut n = 0;
+                while n < N {
+                    gram[i][j] += rows[i][n] as f64 * rows[j][n] as f64;
+                    n += 1;
+                }
+                j += 1;
+            }
+            i += 1;
+        }
+        let inverse = inverse64(&gram);
+        let mut dual = [[0.0; N]; 3];
+        i = 0;
+        while i < 3 {
+            let mut n = 0;
+            while n < N {
+                let (x, y, z) = (rows[0][n] as f64, rows[1][n] as f64, rows[2][n] as f64);
+                dual[i][n] = (inverse[i][0] * x + inverse[i][1] * y + inverse[i][2] * z) as f32;
+                n += 1;
+            }
+            i += 1;
+        }
+        CohenR { eye: *eye, dual: Observer::from_weights(dual) }
+    }
+
+    /// The part that the observer sees: the smallest of all metamers. It may be below zero in places.
+    #[must_use]
+    pub fn fundamental(&self, spectrum: &Spectrum<Q, N, G>) -> Spectrum<Q, N, G> {
+        let [a, b, c] = self.dual.sees(spectrum);
+        let [x, y, z] = self.eye.weights();
+        let mut values = [0.0; N];
+        for (value, (x, (y, z))) in values.iter_mut().zip(x.iter().zip(y.iter().zip(z))) {
+            *value = a * x + b * y + c * z;
+        }
+        Spectrum::from_bins(values)
+    }
+
+    /// The part that the observer does not see.
+    #[must_use]
+    pub fn black(&self, spectrum: &Spectrum<Q, N, G>) -> Spectrum<Q, N, G> {
+        *spectrum - self.fundamental(spectrum)
+    }
+}
+
+#[cfg(feature = "libm")]
+impl<const N: usize, G: Grid> Observer<3, N, Factor, G> {
+    /// CIEDE2000 between two surfaces, as this eye sees them under the light folded into it: how far two
+    /// metamers drift apart under another lamp. NaN if the light is not visible.
+    ///
+    /// Of two surfaces that match under the first lamp this is the special metamerism index of CIE 15 for a
+    /// change of illuminant (which takes CIE 1976 differences unless another one is stated).
+    #[must_use]
+    pub fn delta_e(&self, one: &Spectrum<Factor, N, G>, other: &Spectrum<Factor, N, G>) -> f32 {
+        let white = Xyz::from(self.sees(&Spectrum::flat(1.0)));
+        let lab = |surface| Xyz::from(self.sees(surface)).lab(white);
+        match (lab(one), lab(other)) {
+            (Some(one), Some(other)) => ciede2000(one, other),
+            _ => f32::NAN,
+        }
+    }
+}

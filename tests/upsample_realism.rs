@@ -1,0 +1,84 @@
+//! What an upsampled spectrum has in common with the real one: the CES99 samples within sRGB, their RGB under D65
+//! turned into a spectrum again, and both seen under other lamps.
+#![cfg(feature = "libm")]
+
+use nanospectra::light::{A, D65, FL2, FL11, LED_B3};
+use nanospectra::matter::CES;
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{Basis, Sigmoid, Smits, Viewing};
+use nanospectra::{
+    Curve, Factor, Fine, Interpolation, Nodes, Observer, Outside, Power, Reflectance, Spectrum,
+};
+
+type Grid = Nodes<380, 780>;
+type Eye = Observer<3, 81, Factor, Grid>;
+
+fn fine<const N: usize, const FIRST: u16, const LAST: u16>(
+    light: &Spectrum<Power, N, Nodes<FIRST, LAST>>,
+) -> Fine<Power> {
+    light.interpolate(Interpolation::Linear, Outside::Zero)
+}
+
+/// Means over the samples: root mean square of the difference over 400..=700 nm; CIEDE2000 under each lamp; and
+/// the mean size of second differences.
+#[derive(Debug, Default)]
+struct Realism {
+    rms: f64,
+    delta_e: [f64; 4],
+    roughness: f64,
+    count: f64,
+}
+
+impl Realism {
+    fn add(&mut self, real: &Reflectance<81, Grid>, made: &Reflectance<81, Grid>, lamps: &[Eye; 4]) {
+        let visible = 4..65;
+        let squares = visible.clone().map(|k| f64::from(real.values()[k] - made.values()[k]).powi(2));
+        self.rms += (squares.sum::<f64>() / 61.0).sqrt();
+        for (sum, lamp) in self.delta_e.iter_mut().zip(lamps) {
+            *sum += f64::from(lamp.delta_e(real, made));
+        }
+        let bends = visible
+            .map(|k| f64::from(made.values()[k - 1] - 2.0 * made.values()[k] + made.values()[k + 1]).abs());
+        self.roughness += bends.sum::<f64>() / 61.0;
+        self.count += 1.0;
+    }
+
+    /// Prints and returns the means.
+    fn means(self, method: &str) -> (f64, [f64; 4]) {
+        let n = self.count;
+        let (rms, delta_e) = (self.rms / n, self.delta_e.map(|sum| sum / n));
+        let [a, fl2, fl11, led] = delta_e;
+        println!(
+            "{method}: RMS {rms:.4}, A {a:.2}, FL2 {fl2:.2}, FL11 {fl11:.2}, LED-B3 {led:.2}, bends {:.5} ({n} samples)",
+            self.roughness / n
+        );
+        (rms, delta_e)
+    }
+}
+
+#[test]
+fn of_the_exact_methods_the_sigmoid_is_nearest_to_measured_samples() {
+    let viewing: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&fine(&D65)).fold(Curve::Step));
+    let lamps: [Eye; 4] = [fine(&A), fine(&FL2), fine(&FL11), fine(&LED_B3)]
+        .map(|light| CIE_1931.under(&light).fold(Curve::Step));
+    let (sigmoid, basis, smits) = (Sigmoid::<81, Grid>::new(&viewing), Basis::new(&viewing), Smits::new());
+    let mut all = [(); 3].map(|()| Realism::default());
+    for sample in &CES {
+        let real: Reflectance<81, Grid> = sample.resample(Outside::Hold);
+        let rgb = viewing.rgb(&real);
+        if rgb.in_gamut() {
+            let made =
+                [sigmoid.reflectance(rgb).spectrum.on_grid(), basis.reflectance(rgb), smits.reflectance(rgb)];
+            for (realism, made) in all.iter_mut().zip(&made) {
+                realism.add(&real, made, &lamps);
+            }
+        }
+    }
+    let [sigmoid, basis, smits] = all;
+    assert_eq!(sigmoid.count, 90.0, "samples within sRGB");
+    let (sigmoid, basis, _) = (sigmoid.means("sigmoid"), basis.means("basis"), smits.means("Smits"));
+    assert!(sigmoid.0 < 0.08, "{}", sigmoid.0);
+    for (sigmoid, basis) in sigmoid.1.iter().zip(basis.1) {
+        assert!(*sigmoid < 2.4 && *sigmoid < basis, "{sigmoid} {basis}");
+    }
+}
