@@ -1,0 +1,133 @@
+//! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`.
+//!
+//! The colours are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for one
+//! colour (or eight, or one sample, as the id says). `rgb2spec/fetch` finds coefficients in its table of 16^3 cells
+//! and is no spectrum yet; `fetch_and_read` is. Every bench checks its result first.
+
+mod ratios;
+
+use criterion::{BenchmarkId, Criterion, Throughput};
+use nanospectra::color::{EncodedRgb, Rgb, Srgb};
+use nanospectra::light::D65;
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{
+    Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, StartMap, Viewing,
+};
+use nanospectra::{Bins, Curve, Fine, Grid, Interpolation, Nodes, Outside, Power, Reflectance};
+use ratios::Ratio;
+use rgb2spec::optimize::{gamut::Gamut, optimize};
+use std::hint::black_box;
+
+static LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+
+fn codes() -> Vec<[u8; 3]> {
+    let mut state = 12345u32;
+    let mut next = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    };
+    (0..4096).map(|_| [next(), next(), next()]).collect()
+}
+
+fn linear(codes: &[[u8; 3]]) -> Vec<Rgb<Srgb>> {
+    codes.iter().map(|c| EncodedRgb::<Srgb>::from_u8(*c).decode()).collect()
+}
+
+/// One after another, round and round.
+fn each<T: Copy, R>(c: &mut Criterion, group: &str, id: BenchmarkId, inputs: &[T], f: impl Fn(T) -> R) {
+    let mut next = 0;
+    c.benchmark_group(group).bench_function(id, |b| {
+        b.iter(|| {
+            next = (next + 1) % inputs.len();
+            f(black_box(inputs[next]))
+        });
+    });
+}
+
+fn solver<const N: usize, G: Grid, M: StartMap>(c: &mut Criterion, name: &str) {
+    let viewing: Viewing<N, G> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
+    let sigmoid: Sigmoid<N, G, Srgb, M> = Sigmoid::new(&viewing);
+    let codes = codes();
+    let colours = linear(&codes);
+    for (code, rgb) in codes.iter().zip(&colours) {
+        let spectrum = sigmoid.reflectance(*rgb).spectrum.on_grid();
+        assert_eq!(viewing.rgb(&spectrum).encode().to_u8(), *code);
+    }
+    let eights: Vec<[Rgb<Srgb>; 8]> = colours.as_chunks::<8>().0.to_vec();
+    for eight in &eights {
+        assert_eq!(sigmoid.reflectance_8(eight), eight.map(|rgb| sigmoid.reflectance(rgb)));
+    }
+    each(c, &format!("upsample_{name}"), BenchmarkId::new("single", N), &colours, |rgb| {
+        sigmoid.reflectance(rgb)
+    });
+    let mut group = c.benchmark_group(format!("upsample_{name}"));
+    group.throughput(Throughput::Elements(8));
+    let mut next = 0;
+    group.bench_function(BenchmarkId::new("batch_of_8", N), |b| {
+        b.iter(|| {
+            next = (next + 1) % eights.len();
+            sigmoid.reflectance_8(black_box(&eights[next]))
+        });
+    });
+}
+
+fn reading<const N: usize, G: Grid>(c: &mut Criterion) {
+    let curve = SigmoidReflectance::from_texel([3.0, -4.0, 0.5, 0.75]);
+    let on_grid: Reflectance<N, G> = curve.on_grid();
+    for (nm, share) in on_grid.iter() {
+        assert!((curve.at(nm) - share).abs() < 1e-6);
+    }
+    let mut group = c.benchmark_group("upsample_stored");
+    group.throughput(Throughput::Elements(N as u64));
+    group.bench_function(BenchmarkId::new("on_grid", N), |b| {
+        b.iter(|| black_box(curve).on_grid::<N, G>());
+    });
+}
+
+fn linear_methods(c: &mut Criterion) {
+    let viewing: Viewing<31, Nodes<400, 700>> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
+    let (basis, smits) = (Basis::new(&viewing), Smits::<31, Nodes<400, 700>>::new());
+    let codes = codes();
+    let colours = linear(&codes);
+    for (code, rgb) in codes.iter().zip(&colours) {
+        assert_eq!(viewing.rgb(&basis.reflectance(*rgb)).encode().to_u8(), *code);
+        assert!(viewing.delta_e(*rgb, &smits.reflectance(*rgb)) < 3.0);
+    }
+    each(c, "upsample_basis", BenchmarkId::new("single", 31), &colours, |rgb| basis.reflectance(rgb));
+    each(c, "upsample_smits", BenchmarkId::new("single", 31), &colours, |rgb| smits.reflectance(rgb));
+}
+
+fn peer(c: &mut Criterion) {
+    let table = optimize(Gamut::SRGB, 16).expect("a table");
+    let colours: Vec<[f32; 3]> = linear(&codes()).iter().map(|rgb| rgb.to_array()).collect();
+    let read = |rgb: [f32; 3]| {
+        let coefficients = table.fetch(rgb);
+        let mut values = [0.0; 31];
+        for (k, value) in values.iter_mut().enumerate() {
+            *value = rgb2spec::eval_precise(coefficients, 400.0 + 10.0 * k as f32);
+        }
+        values
+    };
+    assert!((read([0.5; 3])[15] - 0.5).abs() < 1e-2);
+    each(c, "upsample_rgb2spec", BenchmarkId::new("fetch", 16), &colours, |rgb| table.fetch(rgb));
+    each(c, "upsample_rgb2spec", BenchmarkId::new("fetch_and_read", 31), &colours, read);
+}
+
+fn main() {
+    let mut c = Criterion::default().configure_from_args();
+    solver::<31, Nodes<400, 700>, Cubic>(&mut c, "cubic");
+    solver::<31, Nodes<400, 700>, Linear>(&mut c, "linear");
+    solver::<31, Nodes<400, 700>, Quintic>(&mut c, "quintic");
+    solver::<60, Bins<400, 700>, Cubic>(&mut c, "cubic");
+    solver::<81, Nodes<380, 780>, Cubic>(&mut c, "cubic");
+    reading::<31, Nodes<400, 700>>(&mut c);
+    reading::<81, Nodes<380, 780>>(&mut c);
+    linear_methods(&mut c);
+    peer(&mut c);
+    c.final_summary();
+    ratios::print(&[
+        // Eight in a batch over one by one.
+        Ratio::at_most("upsample_cubic/batch_of_8/31", "upsample_cubic/single/31", 8.0),
+        Ratio::at_most("upsample_basis/single/31", "upsample_rgb2spec/fetch_and_read/31", 0.2),
+    ]);
+}

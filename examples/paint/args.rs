@@ -1,0 +1,145 @@
+//! The command line.
+
+use crate::failure::Failure;
+use crate::grids;
+use clap::{CommandFactory, FromArgMatches, Parser, ValueEnum};
+use std::path::PathBuf;
+
+const INPUT: &str = "\
+Input:
+  A colour is three numbers, R,G,B or 'R G B', or a code, #cc331a or #c31. Numbers are encoded by
+  the transfer function of the space, 0..1, unless --linear says otherwise; a code is encoded
+  always. Numbers below 0 or above 1 are answered with a status, NaN and infinities are refused.
+  '-' reads colours from standard input: text in UTF-8, one a line; '#' before a blank starts a
+  comment. A colour that begins with a minus is to be given as --rgb=-0.1,0.5,0.4.
+  Colours are answered in the order they were given. All are read and checked before anything is
+  printed: what is wrong ends the program with exit code 2 and one line that says where.
+  Without colours: 24 samples of CES99 (every fourth), by their colours in sRGB under D65.
+
+Conventions:
+  The eye is CIE 1931, 2 degrees. The white of a space is D65, of acescg daylight of 6000 K; a
+  spectrum has its colour under that light and shows its shape under others.
+  exact: within 0.002 CIEDE2000. unreachable: no sigmoid has the colour, this one comes near.
+  approximate: by smits, which does not give colours back. unphysical: exact, but no reflectance,
+  for it leaves 0..1. delta_e2000 says by how much the colour is missed.
+  XYZ: Y = 100 for the perfect white, Lab by the white of the light. Swatches are sRGB, adapted
+  (CAT16) from the light to D65 and clipped to the gamut.";
+
+/// Spectra for RGB colours: the colour each gives back, and how it looks under other lights.
+#[derive(Debug, Parser)]
+#[command(name = "paint", version, after_help = INPUT)]
+pub struct Args {
+    /// Colours; '-' reads them from standard input
+    #[arg(value_name = "COLORS")]
+    positional: Vec<String>,
+
+    /// The same, once or more often
+    #[arg(long, value_name = "R,G,B|#HEX|-", allow_hyphen_values = true)]
+    rgb: Vec<String>,
+
+    /// The RGB space of the numbers
+    #[arg(long, value_enum, default_value = "srgb")]
+    pub space: Space,
+
+    /// The numbers are linear, not encoded
+    #[arg(long)]
+    pub linear: bool,
+
+    /// How to find a spectrum
+    #[arg(long, value_enum, default_value = "sigmoid")]
+    pub method: Method,
+
+    /// CIE illuminants to look under besides the white of the space (A, FL11, LED-B3, FL3.1, ..)
+    #[arg(long, value_name = "NAME", value_delimiter = ',', default_values = ["A", "FL11"])]
+    pub light: Vec<String>,
+
+    /// Bands of the spectrum: points or bins, how many, from and to in nm
+    #[arg(long, value_name = "LAYOUT:N,FROM,TO", value_parser = grids::known, default_value = "nodes:81,380,780")]
+    pub grid: String,
+
+    /// Print one JSON object a line, numbers unrounded
+    #[arg(long)]
+    pub json: bool,
+
+    /// Also draw each colour into DIR (made if missing), as NUMBER-RRGGBB.svg; nothing is overwritten
+    #[arg(long, value_name = "DIR")]
+    pub svg: Option<PathBuf>,
+
+    /// Every colour's text, in the order of the command line.
+    #[arg(skip)]
+    pub colors: Vec<String>,
+}
+
+/// `--space`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Space {
+    Srgb,
+    #[value(alias = "display-p3")]
+    P3,
+    Bt2020,
+    #[value(alias = "adobe-rgb")]
+    Adobe,
+    Acescg,
+}
+
+/// `--method`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    #[value(help = "smooth, within 0..1, exact")]
+    Sigmoid,
+    #[value(help = "three fixed spectra, linear and exact")]
+    Basis,
+    #[value(help = "the classic of 1999, approximate")]
+    Smits,
+}
+
+impl Args {
+    /// The command line, or what is wrong with it. `--help` and `--version` print and end here.
+    pub fn read() -> Result<Self, Failure> {
+        let refused = |error: clap::Error| {
+            if !error.use_stderr() {
+                error.exit();
+            }
+            Failure::of("paint", one_line(&error.to_string()))
+        };
+        let matches = Args::command().try_get_matches().map_err(refused)?;
+        let mut args = Args::from_arg_matches(&matches).map_err(refused)?;
+        let placed = |id: &str, words: &[String]| -> Vec<(usize, String)> {
+            matches.indices_of(id).into_iter().flatten().zip(words.iter().cloned()).collect()
+        };
+        let mut colors = placed("positional", &args.positional);
+        colors.extend(placed("rgb", &args.rgb));
+        colors.sort();
+        args.colors = colors.into_iter().map(|(_, word)| word).collect();
+        args.check()?;
+        Ok(args)
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        if self.colors.iter().filter(|word| *word == "-").count() > 1 {
+            return Err(Failure::of("-", "standard input can be read once; name it once"));
+        }
+        if self.colors.is_empty() && self.space != Space::Srgb {
+            return Err(Failure::of("--space", "the samples shown without colours are sRGB; give --rgb too"));
+        }
+        Ok(())
+    }
+}
+
+/// clap's message without its headings and usage, on one line.
+fn one_line(message: &str) -> String {
+    let said = message
+        .lines()
+        .map(str::trim)
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
+        .filter(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+        .replace(" tip:", "; tip:");
+    format!("{}; see --help", said.trim_start_matches("error: "))
+}
+
+/// The name an option's value has on the command line.
+pub fn name_of(value: impl ValueEnum) -> String {
+    value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
