@@ -31,7 +31,7 @@ cargo clippy --all-targets -- -D warnings
 
 step "each feature alone, none and all, on every kind of target"
 host=$(rustc -vV | sed -n 's/^host: //p')
-for target in $host $bare; do
+for target in $host thumbv6m-none-eabi thumbv7em-none-eabihf wasm32-unknown-unknown; do
     case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
     for features in "" libm std simd micromath heapless defmt libm,std,simd,micromath,heapless,defmt; do
         echo "$target [$features]"
@@ -60,6 +60,8 @@ step "tests, with the default features, as a release"
 cargo test --release
 step "Fast, over every f32"
 NANOSPECTRA_EXHAUSTIVE=1 cargo test --release --test every_f32
+step "all 2^24 sRGB colours there and back, on three grids"
+cargo test --release --test upsample_all -- --ignored default_map
 step "tests, with every feature, then with none, and with checks for overflow"
 cargo test --all-features
 cargo test --no-default-features
@@ -68,6 +70,7 @@ step "the benches run and check their results"
 cargo bench --bench observer -- --test
 cargo bench --bench color -- --test
 cargo bench --bench sensor -- --test
+cargo bench --bench upsample -- --test
 
 step "the package is complete"
 cargo package --allow-dirty

@@ -38,6 +38,11 @@ $m4f release counts-f32 450 instructions
 $m4f release counts-f32 256 stack-bytes
 $m4f small counts-f32 256 stack-bytes
 $m4f small counts_f32-(code|tables) 2048 bytes
+$m4f release upsample-cubic-31-most 10000 instructions
+$m4f small upsample-cubic-31-most 16000 instructions
+$m4f release upsample-linear-31-most 10000 instructions
+$m4f small upsample-linear-31-most 16000 instructions
+$m4f small upsample-(code|tables) 2560 bytes
 $m0 release fixed-counts-xyz-lux 600 instructions
 $m0 small fixed-counts-xyz-lux 600 instructions
 $m0 release fixed-counts-cct-duv 4000 instructions

@@ -92,16 +92,22 @@ inside() {
         grep -E "$f64" >/dev/null || fail "$label: the search for soft f64 is blind"
 }
 
-# Images that print "what number unit" (no unit: instructions), and those whose flash has a price.
+# Images that print "what number unit" (no unit: instructions), and those whose flash has a price. Colours to spectra
+# are counted where there is an FPU: elsewhere one colour takes more than the counter can hold.
 counting="count price price_whole"
-priced="fold16 counts_f32 counts_fixed"
+counting_with_fpu=upsample_count
+priced="fold16 counts_f32 counts_fixed upsample"
 
 # device_costs <target> <profile>
 device_costs() {
     local label="$1 $2" image
     can_run "$1" "$label, costs" || return 0
-    measuring "$label" "$1" "$2" empty $counting $priced || return 0
-    for image in $counting; do
+    local images=$counting
+    case $1 in
+    $m4f | $m33) images="$images $counting_with_fpu" ;;
+    esac
+    measuring "$label" "$1" "$2" empty $images $priced || return 0
+    for image in $images; do
         boot "$label" "$CARGO_TARGET_DIR/$1/$2/$image" "$out/count.device" || continue
         awk -v row="$label" '{ print row, $1, $2, $3 ? $3 : "instructions" }' "$out/count.device" >>"$costs"
     done

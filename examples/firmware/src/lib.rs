@@ -10,6 +10,8 @@
 //! | `fold16`     | how many more when it turns 16 bands into XYZ? |
 //! | `counts_f32` | how many more when it turns 8 counts into XYZ, CCT and Lab? |
 //! | `counts_fixed` | how many when it does so in integers? |
+//! | `upsample` | how many when it finds the spectrum of an RGB? |
+//! | `upsample_count` | how many instructions does that take? |
 //! | `no_panic`, `no_panic_sensor` | can any step panic? |
 //! | `sensor`     | what does an instrument look like, with a window and a log? |
 //! | `driver`     | how do a published driver and this crate go together? |

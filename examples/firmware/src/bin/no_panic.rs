@@ -12,15 +12,25 @@ use nanospectra::color::{
 use nanospectra::light::{D65, FL11, blackbody, daylight};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd, scotopic_illuminance};
-use nanospectra::{Fine, Interpolation, Light, Outside, Power};
+use nanospectra::upsample::{Basis, CohenR, Display, Quintic, Sigmoid, Smits, Viewing, kubelka_munk};
+use nanospectra::{Bins, Fine, Interpolation, Light, Outside, Power, Reflectance};
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
+
+static VIEWING: Viewing<31> =
+    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+static SIGMOID: Sigmoid<31, Bins<380, 730>, Srgb, Quintic> = Sigmoid::new(&VIEWING);
+static BASIS: Basis<31> = Basis::new(&VIEWING);
+static SMITS: Smits<31> = Smits::new();
+static COHEN: CohenR<31> = CohenR::new(VIEWING.eye());
+static DISPLAY: Display<31> = Display::lcd(&EYE);
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
 fn main() -> ! {
     loop {
         everything();
+        upsampling();
     }
 }
 
@@ -39,6 +49,19 @@ fn everything() {
     let mut reports = [[0.0; 3]; 2];
     EYE.sees_each(&[lamp, hot + lamp * 0.5], &mut reports);
     black_box((coarse, reports, coarse.power(), coarse.peak(), daylight(black_box(6500.0))));
+}
+
+/// The way back, and what is around it.
+fn upsampling() {
+    let rgb = black_box([Rgb::new(0.8, 0.2, 0.1); 8]);
+    let mut each = SIGMOID.reflectance_8(&rgb);
+    SIGMOID.reflectance_each(black_box(&rgb), black_box(&mut each));
+    let paint: Reflectance<31> = SIGMOID.desaturated(rgb[0]).spectrum.on_grid();
+    let light = SIGMOID.illuminant(rgb[1]).spectrum.on_grid(&Light::<31>::flat(1.0));
+    let mixed = kubelka_munk(&[(1.0, &paint), (black_box(2.0), &BASIS.reflectance(rgb[2]))]);
+    let black = COHEN.black(&(mixed + SMITS.reflectance(rgb[3])));
+    black_box((each, light, VIEWING.delta_e(rgb[4], &black), VIEWING.eye().delta_e(&paint, &mixed)));
+    black_box(DISPLAY.emits(DISPLAY.rgb(VIEWING.xyz(VIEWING.rgb(&paint)))));
 }
 
 /// Everything about a light, and about the colour it has.

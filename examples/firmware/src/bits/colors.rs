@@ -9,6 +9,7 @@ use nanospectra::light::{A, D65, FL11, LED_B1, blackbody, blackbody_relative, da
 use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::matter::TCS;
 use nanospectra::observer::{CIE_1931, CIE_1964, CIE_2015_2, Curve, FineObserver, Observer};
+use nanospectra::upsample::{Basis, Sigmoid, Smits, Viewing};
 use nanospectra::{Factor, Fine, Interpolation, Light, Outside, Power, Reflectance};
 
 /// An eye that reads reflectances under FL11, one that reads lights: both folded from 1 nm while compiling.
@@ -52,6 +53,34 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("fast", fast());
     report("exp-ln-pow", exp_ln_pow());
     report("angles", angles());
+    report("upsample", upsampled());
+}
+
+/// RGB to spectrum: what the compiler made, then random colours one by one and eight at a time, a few of them out
+/// of reach.
+fn upsampled() -> u32 {
+    static VIEWING: Viewing<31> = Viewing::new(&CIE_1931.under(&LAMPS[1]).fold(Curve::Step));
+    static SIGMOID: Sigmoid<31> = Sigmoid::new(&VIEWING);
+    static BASIS: Basis<31> = Basis::new(&VIEWING);
+    static SMITS: Smits<31> = Smits::new();
+    let mut hash = Hash::new();
+    let mut random = Random(0x5eed_0808);
+    for _ in 0..8 {
+        let colors: [Rgb<Srgb>; 8] = from_fn(|_| {
+            let [r, g, b] = random.bins();
+            Rgb::new(1.1 * r - 0.05, 1.1 * g - 0.05, 1.1 * b - 0.05)
+        });
+        for (rgb, solved) in colors.iter().zip(SIGMOID.reflectance_8(&colors)) {
+            hash.all(&solved.spectrum.to_texel());
+            hash.all(&SIGMOID.reflectance(*rgb).spectrum.to_texel());
+            let spectrum: Reflectance<31> = solved.spectrum.on_grid();
+            hash.all(spectrum.values());
+            hash.all(BASIS.reflectance(*rgb).values());
+            hash.all(SMITS.reflectance(*rgb).values());
+            hash.all(&VIEWING.rgb(&spectrum).to_array());
+        }
+    }
+    hash.0
 }
 
 /// The weights, and what they see: 64 random spectra one by one and as a batch, surfaces and lamps.

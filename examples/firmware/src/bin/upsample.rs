@@ -1,0 +1,39 @@
+//! One RGB to the reflectance that has it, on 31 bands, by the smallest start map, and nothing else.
+//!
+//! `tests/devices.sh` looks into this image: the weights, the start map and the solver in 2.5 KB of flash, no
+//! `core::fmt`, no soft f64, nothing of libm. That it cannot panic is proved here, by linking.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use nanospectra::color::Rgb;
+use nanospectra::color::Srgb;
+use nanospectra::light::D65;
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{Linear, Sigmoid, Viewing};
+use nanospectra::{Curve, Interpolation, Nodes, Outside};
+
+type Eye = Viewing<31, Nodes<400, 700>>;
+
+static SIGMOID: Sigmoid<31, Nodes<400, 700>, Srgb, Linear> = Sigmoid::new(&Eye::new(
+    &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
+));
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    loop {
+        let [r, g, b] = black_box([0.8, 0.2, 0.1]);
+        black_box(SIGMOID.solve(Rgb::new(r, g, b)));
+    }
+}
+
+unsafe extern "C" {
+    /// Defined nowhere: an image with a reachable panic does not link.
+    safe fn this_image_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    this_image_can_panic()
+}
