@@ -23,7 +23,7 @@ fn copy() -> Package {
     let package = Package::new("damaged", MANIFEST);
     package.write("src/lib.rs", "");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for folder in ["tables", "tables/cmf", "tables/illuminants", "tables/samples"] {
+    for folder in ["tables", "tables/cmf", "tables/illuminants", "tables/samples", "tables/upsample"] {
         for entry in std::fs::read_dir(root.join(folder)).expect("a folder of tables") {
             let path = entry.expect("an entry").path();
             if path.is_file() {

@@ -134,6 +134,8 @@ fn damped<const N: usize>(rows: &Rows<N>, responses: [f32; 3]) -> Found {
 #[inline(never)]
 fn descend<const N: usize>(rows: &Rows<N>, asked: [f32; 3], mut q: [f32; 3], steps: usize) -> Found {
     let u = goal(asked);
+    // What is nearest to a colour out of reach is nearest to where its responses leave 0..=1.
+    let reachable = asked.map(within);
     let (mut best, mut found) = (f32::INFINITY, (q, Some([0.5; 3])));
     let mut left = steps;
     while left > 0 {
@@ -144,7 +146,7 @@ fn descend<const N: usize>(rows: &Rows<N>, asked: [f32; 3], mut q: [f32; 3], ste
         let [s0, s1, s2] = step.q;
         let mut part = 1.0;
         if left <= DAMPED_STEPS {
-            let off = size(&step.responses, &asked);
+            let off = size(&step.responses, &reachable);
             if off < best {
                 (best, found) = (off, (q, Some(step.responses)));
             }
@@ -165,7 +167,7 @@ fn descend<const N: usize>(rows: &Rows<N>, asked: [f32; 3], mut q: [f32; 3], ste
     }
     let (q, given) = found;
     // Steep curves keep wandering by what f32 cannot hold.
-    (q, if best < CLOSE { None } else { given })
+    (q, if best < CLOSE && possible(asked) { None } else { given })
 }
 
 /// Is the curve, after a step, exact?
