@@ -176,6 +176,12 @@ fn a_sample_of_the_8_bit_colors_comes_back_as_its_code() {
 }
 
 #[test]
+#[ignore = "half a minute, run by tests/all.sh: cargo test --release --test upsample_all -- --ignored on_31_bands"]
+fn all_2_to_the_24_colors_come_back_as_their_code_on_31_bands() {
+    hold("31 nodes 400..700, cubic", sweep::<31, Nodes<400, 700>, Cubic>(1), ALLOWED);
+}
+
+#[test]
 #[ignore = "minutes: cargo test --release --test upsample_all -- --ignored default_map"]
 fn all_2_to_the_24_colors_come_back_as_their_code_with_the_default_map() {
     every_grid::<Cubic>(1, "cubic", ALLOWED);
