@@ -7,6 +7,49 @@ use cli::*;
 use serde_json::Value;
 use std::fs;
 
+const EXAMPLE: &str = "colorimeter";
+
+/// In the order of the documentation; more may follow.
+const KEYS: [&str; 21] = [
+    "name",
+    "XYZ",
+    "xy",
+    "uv1960",
+    "uv1976",
+    "cct_k",
+    "duv",
+    "lux",
+    "ler_lm_per_w",
+    "lab",
+    "srgb",
+    "hex",
+    "dominant_wavelength_nm",
+    "purity",
+    "cri_ra",
+    "cri_r",
+    "tm30_rf",
+    "tm30_rg",
+    "melanopic_edi_ratio",
+    "ppfd",
+    "notes",
+];
+
+/// The reading of one column of a file below `tables/`.
+fn table(file: &str, name: &str, arguments: &[&str]) -> Value {
+    let path = format!("tables/{file}.csv");
+    let readings = json(&[&[path.as_str()], arguments].concat());
+    readings.into_iter().find(|reading| reading["name"] == name).expect("the table has the column")
+}
+
+fn notes(reading: &Value) -> Vec<&str> {
+    reading["notes"].as_array().expect("notes").iter().filter_map(Value::as_str).collect()
+}
+
+fn has_note(reading: &Value, key: &str, word: &str) -> bool {
+    let start = format!("{key}: ");
+    notes(reading).iter().any(|note| note.starts_with(&start) && note.contains(word))
+}
+
 #[test]
 fn without_files_it_reports_the_lamp_it_brings() {
     let readings = json(&[]);

@@ -3,21 +3,22 @@
 
 mod cli;
 mod model;
-#[path = "paint/program.rs"]
-mod program;
 
-use cli::{assert_all_near, assert_near, number, numbers, scratch};
+use cli::{assert_all_near, assert_near, json, json_with, number, numbers, run, run_with, scratch, start};
 use model::fold::{EqualBins, Reconstruction, on_cie_nodes, weights};
 use model::interpolation::{Interpolation::Linear, Outside::Zero};
 use model::{linear, rgb, tables, transfer};
 use nanospectra::color::{EncodedRgb, Srgb};
 use nanospectra::upsample::{Sigmoid, SmitsBins, Viewing};
 use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance, light::D65, observer::CIE_1931};
-use program::{json, json_with, run, run_with};
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
+use std::process::Stdio;
 
-const KEYS: [&str; 11] = [
+const EXAMPLE: &str = "paint";
+
+const KEYS: [&str; 12] = [
     "rgb",
     "space",
     "method",
@@ -28,6 +29,7 @@ const KEYS: [&str; 11] = [
     "delta_e2000",
     "linear",
     "grid",
+    "beyond",
     "lights",
 ];
 
@@ -205,6 +207,7 @@ fn what_no_surface_has_is_answered_with_a_status() {
     assert_eq!(status(&["--rgb", "-0.1,0.4,0.4"]), "exact");
     assert_eq!(status(&["2,3,4"]), "unreachable");
     assert_eq!(status(&["--rgb=-0.2,0,-0.1"]), "unreachable");
+    assert_eq!(status(&["--", "-0.1,0.4,0.4"]), "exact");
     assert_eq!(status(&["0,1,0", "--space", "bt2020"]), "unreachable");
     assert_eq!(status(&["0,1,0", "--space", "p3", "--method", "basis"]), "unphysical");
     let bright = &json(&["2,3,4"])[0];
@@ -212,6 +215,62 @@ fn what_no_surface_has_is_answered_with_a_status() {
     assert!(number(&bright["delta_e2000"]) > 10.0);
     let outcome = run(&["1e20,1e30,-1e38", "--linear"]);
     assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn a_color_out_of_reach_comes_near_or_is_desaturated() {
+    let green = ["0,1,0", "--space", "p3", "--linear"];
+    let with = |beyond: &str| json(&[&green[..], &["--beyond", beyond]].concat()).remove(0);
+    let (near, less) = (with("nearest"), with("desaturate"));
+    assert_eq!(near, json(&green)[0]);
+    assert_eq!([&near["status"], &near["beyond"]], ["unreachable", "nearest"]);
+    assert_eq!([&less["status"], &less["beyond"]], ["desaturated", "desaturate"]);
+    assert!(near.get("kept").is_none());
+    for answer in [&near, &less] {
+        assert_follows_the_model(answer);
+    }
+    // So far from the grey of its luminance, and hardly further.
+    let (kept, y) = (number(&less["kept"]), rgb::named("Display P3").rgb_to_xyz()[1][1]);
+    let mixed = |kept: f64| [y - kept * y, y + kept * (1.0 - y), y - kept * y];
+    assert_all_near(&less["roundtrip_rgb"], &mixed(kept), 1e-4);
+    let further = mixed(kept + 0.005).map(|share| share.to_string()).join(",");
+    assert_eq!(json(&[&further, "--space", "p3", "--linear"])[0]["status"], "unreachable");
+    assert!(number(&less["delta_e2000"]) > 0.1);
+    // What is within reach is the same either way, and the other methods reach everything.
+    let teal = |beyond| json(&["0.1,0.5,0.4", "--beyond", beyond]).remove(0);
+    assert_eq!(teal("desaturate")["spectrum"], teal("damp")["spectrum"]);
+    assert_eq!(teal("desaturate")["status"], "exact");
+    assert!(json(&["0,0,0", "--method", "basis"])[0]["beyond"].is_null());
+    let said = |beyond| run(&[&green[..], &["--beyond", beyond]].concat()).out;
+    assert!(said("nearest").contains("unreachable (nearest), CIEDE2000"));
+    assert!(said("desaturate").contains(&format!("desaturated (desaturate: {:.1} %", 100.0 * kept)));
+}
+
+#[test]
+fn a_light_is_shown_once() {
+    let names = |lights: &str| -> Vec<String> {
+        let answer = json(&["#c31", "--light", lights]).remove(0);
+        let looks = answer["lights"].as_array().expect("lights").iter();
+        looks.map(|look| look["name"].as_str().expect("a name").to_owned()).collect()
+    };
+    assert_eq!(names("D65,D65"), ["D65"]);
+    assert_eq!(names("a, FL11,d65,A"), ["D65", "A", "FL11"]);
+    assert_eq!(run(&["#c31", "--light", "D65,A,A"]).out.matches("under A ").count(), 1);
+}
+
+#[test]
+fn a_space_is_decoded_by_the_function_that_help_names() {
+    for (space, decoded) in [
+        ("srgb", transfer::srgb_decode(0.5)),
+        ("p3", transfer::srgb_decode(0.5)),
+        ("bt2020", 0.5_f64.powf(2.4)),
+        ("adobe", 0.5_f64.powf(563.0 / 256.0)),
+        ("acescg", 0.5),
+    ] {
+        let answer = &json(&["0.5,0.5,0.5", "--space", space])[0];
+        assert_near(&answer["spectrum"][40], decoded, 1e-7);
+        assert_all_near(&answer["roundtrip_rgb"], &[0.5; 3], 1e-6);
+    }
 }
 
 #[test]
@@ -271,6 +330,37 @@ fn pictures_are_new_files_in_the_order_of_the_colors() {
     assert!(refused.err.contains("1-000000.svg: is there already; "), "{}", refused.err);
     assert_eq!(fs::read_to_string(pictures.join("1-000000.svg")).expect("still there"), "mine");
     assert_eq!(list().len(), 4);
+}
+
+#[test]
+fn pictures_stay_when_the_report_is_not_read_to_its_end() {
+    let directory = scratch("unread");
+    let mut child = start(&["-", "--svg", directory.to_str().expect("UTF-8")], Stdio::piped());
+    drop(child.stdout.take());
+    child.stdin.take().expect("a pipe").write_all(b"0 0 0\n1 1 1\n").expect("it reads");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+    assert_eq!(fs::read_dir(directory).expect("a directory").count(), 2);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_that_fails_leaves_no_picture_behind() {
+    let directory = scratch("full");
+    fs::write(directory.join("mine"), "").expect("written");
+    for pictures in [directory.join("made/here"), directory.clone()] {
+        let full = fs::File::options().write(true).open("/dev/full").expect("a disk that is full");
+        let child = start(&["0,0,0", "1,1,1", "--svg", pictures.to_str().expect("UTF-8")], full);
+        let output = child.wait_with_output().expect("it ends");
+        let message = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message.starts_with("stdout: cannot be written") && message.lines().count() == 1,
+            "{message}"
+        );
+        let left = fs::read_dir(&directory).expect("a directory").map(|entry| entry.expect("an entry"));
+        assert_eq!(left.map(|entry| entry.file_name()).collect::<Vec<_>>(), ["mine"]);
+    }
 }
 
 #[test]

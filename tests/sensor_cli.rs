@@ -1,18 +1,30 @@
 //! What the sensor example says of known lamps, and of the files that tell it about the chip.
 
-mod sensor_program;
+mod cli;
 #[path = "../examples/sensor/simulate.rs"]
 #[allow(dead_code, reason = "the example's simulation, of which the lamps are used")]
 mod simulate;
 
+use cli::{file, json_with, number, run_with, start};
 use nanospectra::color::Xyz;
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::radiometry::ppfd;
 use nanospectra::sensor::nominal;
 use nanospectra::{Fine, Interpolation, Power, light};
-use sensor_program::*;
 use serde_json::Value;
 use std::io::Write;
+use std::process::Stdio;
+
+const EXAMPLE: &str = "sensor";
+
+fn assert_near(what: &str, value: &Value, expected: f64, tolerance: f64) {
+    let found = number(value);
+    assert!((found - expected).abs() <= tolerance, "{what}: {found} is not {expected} within {tolerance}");
+}
+
+fn has_note(reading: &Value, word: &str) -> bool {
+    reading["notes"].as_array().is_some_and(|notes| notes.iter().any(|note| note.to_string().contains(word)))
+}
 
 fn labelled<'a>(readings: &'a [Value], label: &str) -> &'a Value {
     readings.iter().find(|reading| reading["label"] == label).unwrap_or_else(|| panic!("no {label}"))
@@ -298,7 +310,7 @@ fn answers_come_in_the_order_of_the_log_and_none_is_lost() {
 
 #[test]
 fn a_pipe_that_is_closed_is_no_error() {
-    let mut child = start(&["--json", "-"]);
+    let mut child = start(&["--json", "-"], Stdio::piped());
     drop(child.stdout.take());
     let log = run_with(b"", &["--simulate"]).out;
     child.stdin.take().expect("a pipe").write_all(log.as_bytes()).expect("it reads");

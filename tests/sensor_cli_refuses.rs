@@ -1,8 +1,10 @@
 //! What the sensor example does not take: exit code 2 and one line that says where, what and what to do.
 
-mod sensor_program;
+mod cli;
 
-use sensor_program::*;
+use cli::{assert_refused, file, run_with};
+
+const EXAMPLE: &str = "sensor";
 
 /// Bad input: options, the log, where the message begins and a word of it.
 const BAD: &[(&[&str], &str, &str, &str)] = &[
@@ -87,15 +89,6 @@ fn files_about_the_chip_are_checked_as_strictly() {
         let outcome = run_with(log.as_bytes(), &["--sensor", "custom", "--calibration", &path, "-"]);
         assert_refused(&outcome, &format!("{path}: "), word);
     }
-}
-
-fn assert_refused(outcome: &Outcome, start: &str, word: &str) {
-    let message = &outcome.err;
-    assert_eq!((outcome.code, outcome.out.as_str()), (Some(2), ""), "{message}");
-    assert_eq!(message.lines().count(), 1, "{message:?}");
-    assert!(message.starts_with(start), "{message:?} does not start with {start:?}");
-    assert!(message.contains(word), "{message:?} does not say {word:?}");
-    assert!(message.contains(';') || message.matches(':').count() > 2, "{message:?} does not say what to do");
 }
 
 #[test]

@@ -34,7 +34,8 @@ struct Findings {
 
 impl Findings {
     fn join(self, other: Findings) -> Findings {
-        let first = self.worst >= other.worst;
+        // NaN is worse than any number.
+        let first = self.worst >= other.worst || self.worst.is_nan();
         Findings {
             colours: self.colours + other.colours,
             wrong: self.wrong + other.wrong,
@@ -156,6 +157,8 @@ fn hold(what: &str, found: Findings, allowed: f64) {
     );
     assert_eq!((found.wrong, found.unsolved, found.impossible), (0, 0, 0), "{what}");
     assert!(found.worst <= allowed, "{what}: {} CIEDE2000", found.worst);
+    // Of all colours: an allowance of twice what is needed would hide a loss.
+    assert!(found.colours < 1 << 24 || found.worst > allowed / 2.0, "{what}: {} CIEDE2000", found.worst);
 }
 
 fn every_grid<M: StartMap + Sync>(step: usize, map: &str, allowed: f64) {
@@ -165,7 +168,7 @@ fn every_grid<M: StartMap + Sync>(step: usize, map: &str, allowed: f64) {
 }
 
 /// The largest CIEDE2000 that is allowed; half of it is what f32 sums leave of an exact solution.
-const ALLOWED: f64 = 6e-4;
+const ALLOWED: f64 = 5e-4;
 
 #[test]
 fn a_sample_of_the_8_bit_colors_comes_back_as_its_code() {

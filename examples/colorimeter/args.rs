@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::failure::Failure;
+use crate::usage::refused;
 use clap::{Parser, ValueEnum};
 use nanospectra::observer::{CIE_1931, CIE_1964, CIE_2015_2, CIE_2015_10};
 use nanospectra::{FineObserver, Interpolation};
@@ -103,12 +104,7 @@ pub enum Between {
 impl Args {
     /// The command line, or what is wrong with it. `--help` and `--version` print and end here.
     pub fn read() -> Result<Self, Failure> {
-        let args = Args::try_parse().map_err(|error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            Failure::of("colorimeter", one_line(&error.to_string()))
-        })?;
+        let args = Args::try_parse().map_err(|error| refused("colorimeter", &error))?;
         args.check()?;
         Ok(args)
     }
@@ -126,19 +122,6 @@ impl Args {
         }
         Ok(())
     }
-}
-
-/// clap's message without its headings and usage, on one line.
-fn one_line(message: &str) -> String {
-    let said = message
-        .lines()
-        .map(str::trim)
-        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
-        .filter(|line| !line.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ")
-        .replace(" tip:", "; tip:");
-    format!("{}; see --help", said.trim_start_matches("error: "))
 }
 
 impl Eye {

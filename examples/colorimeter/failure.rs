@@ -25,6 +25,14 @@ impl fmt::Display for Failure {
     }
 }
 
+/// The first forty characters of somebody's text, for messages.
+pub fn short(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}..", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// `text` with control characters spelled out: no line breaks, no terminal escapes.
 pub fn printable(text: &str) -> String {
     text.chars()

@@ -19,6 +19,8 @@ mod source;
 mod table;
 mod text;
 mod tint;
+mod usage;
+mod utf8;
 
 use args::Args;
 use failure::Failure;

@@ -1,6 +1,6 @@
 //! Text to columns of numbers. Strict: whatever is not plainly a table of numbers is an error.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, short};
 
 /// A wavelength column and the columns beside it.
 #[derive(Debug)]
@@ -140,7 +140,8 @@ fn check_heading(cells: &[String]) -> Result<(), String> {
     let numbers_follow = cells.len() > 1 && cells[1..].iter().all(|cell| number_in(cell).is_some());
     if starts_like_number || (numbers_follow && !names_wavelengths) {
         return Err(format!(
-            "'{first}' is not a wavelength; correct it, or begin the heading with 'nm' if this is one"
+            "'{}' is not a wavelength; correct it, or begin the heading with 'nm' if this is one",
+            short(first)
         ));
     }
     Ok(())
@@ -216,13 +217,14 @@ fn number(cell: &str, what: &str) -> Result<f64, String> {
     if cell.is_empty() {
         return Err(format!("{what} is empty; fill it in (0 if nothing was measured is for you to say)"));
     }
+    let said = short(cell);
     match number_in(cell) {
         Some(number) if number.is_finite() => Ok(number),
-        Some(_) => Err(format!("{what} is {cell}, not a finite number; correct it")),
+        Some(_) => Err(format!("{what} is {said}, not a finite number; correct it")),
         None if number_in(&cell.replacen(',', ".", 1)).is_some() => {
-            Err(format!("{what} is '{cell}'; write the decimal point as '.'"))
+            Err(format!("{what} is '{said}'; write the decimal point as '.'"))
         }
-        None => Err(format!("{what} is '{cell}', not a number; correct it")),
+        None => Err(format!("{what} is '{said}', not a number; correct it")),
     }
 }
 

@@ -1,7 +1,7 @@
 //! From a colour to its spectrum, and what that looks like.
 
-use crate::args::{Args, Method, Space};
-use crate::failure::Failure;
+use crate::args::{Args, Beyond, Method, Space};
+use crate::failure::{Failure, short};
 use crate::input::Color;
 use crate::progress::Progress;
 use nanospectra::color::{
@@ -18,7 +18,7 @@ use nanospectra::{
 pub struct Job<'a> {
     args: &'a Args,
     colors: &'a [Color],
-    /// The light of the space, and those to look under.
+    /// The light of the space, and the others to look under.
     white: Lamp,
     lamps: Vec<Lamp>,
 }
@@ -34,6 +34,8 @@ pub struct Answer {
     /// As it was given; linear with `--linear`.
     pub rgb: [f32; 3],
     pub status: &'static str,
+    /// Of the way from grey to a colour that was desaturated, 0..1.
+    pub kept: Option<f32>,
     /// (nm, share)
     pub spectrum: Vec<(f32, f32)>,
     /// For plots; zero outside the grid.
@@ -63,7 +65,13 @@ impl<'a> Job<'a> {
             Some(d60) => Lamp { name: "D60".into(), power: on_1_nm(&d60) },
             None => Lamp { name: "D65".into(), power: on_1_nm(&D65) },
         };
-        let lamps = args.light.iter().map(|name| lamp(name)).collect::<Result<_, _>>()?;
+        let mut lamps: Vec<Lamp> = Vec::new();
+        for name in &args.light {
+            let lamp = lamp(name.trim())?;
+            if [&white].into_iter().chain(&lamps).all(|known| known.name != lamp.name) {
+                lamps.push(lamp);
+            }
+        }
         Ok(Job { args, colors, white, lamps })
     }
 }
@@ -76,7 +84,7 @@ fn lamp(name: &str) -> Result<Lamp, Failure> {
     let upper = name.to_uppercase();
     let power = light::named(&upper, Interpolation::Linear).ok_or_else(|| {
         Failure::of(
-            format_args!("--light {name}"),
+            format_args!("--light {}", short(name)),
             "no CIE illuminant; use E, A, C, D50, D55, D65, D75, ID50, ID65, FL1..FL12, FL3.1..FL3.15, HP1..HP5, \
              LED-B1..LED-B5, LED-BH1, LED-RGB1, LED-V1, LED-V2 or L41",
         )
@@ -112,6 +120,7 @@ struct Painter<const N: usize, G, S> {
     smits: Smits<N, G>,
     eyes: Vec<(String, Observer<3, N, Factor, G>)>,
     method: Method,
+    beyond: Option<Beyond>,
     linear: bool,
 }
 
@@ -126,6 +135,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
             viewing,
             eyes: [&job.white].into_iter().chain(&job.lamps).map(|l| (l.name.clone(), eye(l))).collect(),
             method: job.args.method,
+            beyond: job.args.beyond(),
             linear: job.args.linear,
         }
     }
@@ -134,7 +144,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         let [r, g, b] = color.numbers;
         let encoded = color.is_code || !self.linear;
         let rgb: Rgb<S> = if encoded { EncodedRgb::<S>::new(r, g, b).decode() } else { Rgb::new(r, g, b) };
-        let (spectrum, status) = self.spectrum(rgb);
+        let (spectrum, status, kept) = self.spectrum(rgb);
         // Beyond about 1e15 the transfer functions and the sums overflow.
         if !spectrum.values().iter().chain(&rgb.to_array()).all(|value| value.is_finite()) {
             let what = "too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces";
@@ -146,6 +156,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
             sample: color.sample.clone(),
             rgb: if self.linear { rgb.to_array() } else { color.numbers },
             status,
+            kept,
             spectrum: spectrum.iter().collect(),
             curve: spectrum.resample(Outside::Zero),
             roundtrip: given(self.viewing.rgb(&spectrum)),
@@ -155,19 +166,26 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         })
     }
 
-    fn spectrum(&self, rgb: Rgb<S>) -> (Reflectance<N, G>, &'static str) {
+    fn spectrum(&self, rgb: Rgb<S>) -> (Reflectance<N, G>, &'static str, Option<f32>) {
         match self.method {
             Method::Sigmoid => {
-                let solved = self.sigmoid.reflectance(rgb);
-                let exact = matches!(solved.status, Status::Exact);
-                (solved.spectrum.on_grid(), if exact { "exact" } else { "unreachable" })
+                let solved = match self.beyond {
+                    Some(Beyond::Desaturate) => self.sigmoid.desaturated(rgb),
+                    _ => self.sigmoid.reflectance(rgb),
+                };
+                let (status, kept) = match solved.status {
+                    Status::Exact => ("exact", None),
+                    Status::Desaturated { kept, .. } => ("desaturated", Some(kept)),
+                    _ => ("unreachable", None),
+                };
+                (solved.spectrum.on_grid(), status, kept)
             }
             Method::Basis => {
                 let spectrum = self.basis.reflectance(rgb);
                 let possible = spectrum.values().iter().all(|share| (0.0..=1.0).contains(share));
-                (spectrum, if possible { "exact" } else { "unphysical" })
+                (spectrum, if possible { "exact" } else { "unphysical" }, None)
             }
-            Method::Smits => (self.smits.reflectance(rgb), "approximate"),
+            Method::Smits => (self.smits.reflectance(rgb), "approximate", None),
         }
     }
 

@@ -1,7 +1,8 @@
 //! The command line.
 
 use crate::failure::Failure;
-use crate::grids;
+use crate::{grids, usage};
+use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, FromArgMatches, Parser, ValueEnum};
 use std::path::PathBuf;
 
@@ -10,8 +11,10 @@ Input:
   A colour is three numbers, R,G,B or 'R G B', or a code, #cc331a or #c31. Numbers are encoded by
   the transfer function of the space, 0..1, unless --linear says otherwise; a code is encoded
   always. Numbers below 0 or above 1 are answered with a status, NaN and infinities are refused.
+  srgb and p3 are encoded by the curve of IEC 61966-2-1, bt2020 by a power of 2.4 (BT.1886), adobe
+  by one of 563/256; acescg is linear.
   '-' reads colours from standard input: text in UTF-8, one a line; '#' before a blank starts a
-  comment. A colour that begins with a minus is to be given as --rgb=-0.1,0.5,0.4.
+  comment. A colour that begins with a minus goes behind --rgb: --rgb -0.1,0.5,0.4.
   Colours are answered in the order they were given. All are read and checked before anything is
   printed: what is wrong ends the program with exit code 2 and one line that says where.
   Without colours: 24 samples of CES99 (every fourth), by their colours in sRGB under D65.
@@ -20,6 +23,7 @@ Conventions:
   The eye is CIE 1931, 2 degrees. The white of a space is D65, of acescg daylight of 6000 K; a
   spectrum has its colour under that light and shows its shape under others.
   exact: within 0.002 CIEDE2000. unreachable: no sigmoid has the colour, this one comes near.
+  desaturated: it has the luminance, but of the way from grey to the colour only the share kept.
   approximate: by smits, which does not give colours back. unphysical: exact, but no reflectance,
   for it leaves 0..1. delta_e2000 says by how much the colour is missed.
   XYZ: Y = 100 for the perfect white, Lab by the white of the light. Swatches are sRGB, adapted
@@ -49,19 +53,25 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "sigmoid")]
     pub method: Method,
 
-    /// CIE illuminants to look under besides the white of the space (A, FL11, LED-B3, FL3.1, ..)
+    /// What to do with a colour that no sigmoid has [default: nearest]
+    #[arg(long, value_enum)]
+    beyond: Option<Beyond>,
+
+    /// CIE illuminants to look under besides the white of the space, with commas: A,FL11,LED-B3,FL3.1; each once
     #[arg(long, value_name = "NAME", value_delimiter = ',', default_values = ["A", "FL11"])]
     pub light: Vec<String>,
 
     /// Bands of the spectrum: points or bins, how many, from and to in nm
-    #[arg(long, value_name = "LAYOUT:N,FROM,TO", value_parser = grids::known, default_value = "nodes:81,380,780")]
+    #[arg(long, value_name = "LAYOUT:N,FROM,TO", long_help = grids::help(), value_parser = grids::known, default_value = "nodes:81,380,780")]
     pub grid: String,
 
-    /// Print one JSON object a line, numbers unrounded
+    /// Print one JSON object a line, numbers unrounded: rgb, space, method, status, wavelengths_nm, spectrum,
+    /// roundtrip_rgb, delta_e2000; linear, grid, beyond, kept (if desaturated), sample (of CES99), lights
     #[arg(long)]
     pub json: bool,
 
-    /// Also draw each colour into DIR (made if missing), as NUMBER-RRGGBB.svg; nothing is overwritten
+    /// Also draw each colour into DIR (made if missing), as NUMBER-RRGGBB.svg; nothing is overwritten, and
+    /// a run that fails leaves nothing there
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
 
@@ -93,14 +103,24 @@ pub enum Method {
     Smits,
 }
 
+/// `--beyond`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Beyond {
+    #[value(alias = "damp", help = "as near as least squares come: status unreachable")]
+    Nearest,
+    #[value(help = "mixed with the grey of its luminance until it has a spectrum: status desaturated")]
+    Desaturate,
+}
+
 impl Args {
     /// The command line, or what is wrong with it. `--help` and `--version` print and end here.
     pub fn read() -> Result<Self, Failure> {
-        let refused = |error: clap::Error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            Failure::of("paint", one_line(&error.to_string()))
+        let refused = |error: clap::Error| match error.get(ContextKind::InvalidArg) {
+            Some(ContextValue::String(word)) if begins_negative(word) => Failure::of(
+                "paint",
+                "a colour that begins with a minus looks like an option; write --rgb -0.1,0.5,0.4",
+            ),
+            _ => usage::refused("paint", &error),
         };
         let matches = Args::command().try_get_matches().map_err(refused)?;
         let mut args = Args::from_arg_matches(&matches).map_err(refused)?;
@@ -115,9 +135,23 @@ impl Args {
         Ok(args)
     }
 
+    /// What becomes of colours that no sigmoid has; nothing to choose with the other methods.
+    pub fn beyond(&self) -> Option<Beyond> {
+        (self.method == Method::Sigmoid).then(|| self.beyond.unwrap_or(Beyond::Nearest))
+    }
+
     fn check(&self) -> Result<(), Failure> {
         if self.colors.iter().filter(|word| *word == "-").count() > 1 {
             return Err(Failure::of("-", "standard input can be read once; name it once"));
+        }
+        if self.beyond.is_some() && self.method != Method::Sigmoid {
+            return Err(Failure::of(
+                "--beyond",
+                "for colours that no sigmoid has; leave out --beyond or --method",
+            ));
+        }
+        if self.light.iter().any(|name| name.trim().is_empty()) {
+            return Err(Failure::of("--light", "an empty name; write --light A,FL11 or leave --light out"));
         }
         if self.colors.is_empty() && self.space != Space::Srgb {
             return Err(Failure::of("--space", "the samples shown without colours are sRGB; give --rgb too"));
@@ -126,17 +160,10 @@ impl Args {
     }
 }
 
-/// clap's message without its headings and usage, on one line.
-fn one_line(message: &str) -> String {
-    let said = message
-        .lines()
-        .map(str::trim)
-        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
-        .filter(|line| !line.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ")
-        .replace(" tip:", "; tip:");
-    format!("{}; see --help", said.trim_start_matches("error: "))
+/// Does a word begin like a negative number?
+fn begins_negative(word: &str) -> bool {
+    let rest = word.strip_prefix('-').unwrap_or_default();
+    rest.starts_with(|c: char| c.is_ascii_digit() || c == '.')
 }
 
 /// The name an option's value has on the command line.

@@ -37,6 +37,11 @@ pub fn known(text: &str) -> Result<String, String> {
     if NAMES.contains(&text) { Ok(text.to_owned()) } else { Err(refusal()) }
 }
 
+/// For `--help`.
+pub fn help() -> String {
+    format!("Bands of the spectrum: points or bins, how many, from and to in nm. One of {}", NAMES.join(", "))
+}
+
 fn refusal() -> String {
     format!("a grid is part of a type, and compiled in are {}; use one of these", NAMES.join(" | "))
 }

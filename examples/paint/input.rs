@@ -1,12 +1,13 @@
 //! Text to colours. Strict: whatever is not plainly a colour is an error that says where it stands.
 
-use crate::failure::Failure;
-use std::io::Read;
+use crate::failure::{Failure, short};
+use crate::utf8;
+use std::path::Path;
 
 /// Three numbers and where they come from.
 #[derive(Clone, Debug)]
 pub struct Color {
-    /// `stdin:3` or the word on the command line, for messages.
+    /// `stdin:3`, or how the word on the command line begins; for messages.
     pub place: String,
     /// Its name, if it is a sample.
     pub sample: Option<String>,
@@ -25,44 +26,31 @@ pub fn colors(words: &[String]) -> Result<Vec<Color>, Failure> {
         if word == "-" {
             colors.extend(stdin()?);
         } else {
-            let found = color(word, format!("colour {word}"));
-            colors.push(found.map_err(|what| Failure::of(format_args!("colour {word}"), what))?);
+            let place = format!("colour {}", short(word));
+            colors.push(color(word, place.clone()).map_err(|what| Failure::of(place, what))?);
         }
     }
     Ok(colors)
 }
 
 fn stdin() -> Result<Vec<Color>, Failure> {
-    let mut bytes = Vec::new();
-    let read = std::io::stdin().lock().read_to_end(&mut bytes);
-    read.map_err(|error| {
-        Failure::of("stdin", format_args!("cannot be read ({}); pipe text into it", error.kind()))
-    })?;
-    let text = text(&bytes).map_err(|(line, what)| Failure::at("stdin", line, what))?;
-    let lines = text.lines().zip(1..).map(|(line, number)| (without_comment(line), number));
-    let colors: Vec<Color> = lines
-        .filter(|(line, _)| !line.is_empty())
-        .map(|(line, number)| {
-            color(line, format!("stdin:{number}")).map_err(|what| Failure::at("stdin", number, what))
-        })
-        .collect::<Result<_, _>>()?;
+    let (file, bytes) = utf8::read(Path::new("-"))?;
+    let mut colors = Vec::new();
+    for (line, number) in utf8::text(&file, &bytes)?.lines().zip(1..) {
+        let at = |what: String| Failure::at(&file, number, what);
+        // A comment would swallow all that follows.
+        if line.contains('\r') {
+            return Err(at("a carriage return inside the line; save with LF or CRLF line ends".into()));
+        }
+        let line = without_comment(line);
+        if !line.is_empty() {
+            colors.push(color(line, format!("{file}:{number}")).map_err(at)?);
+        }
+    }
     if colors.is_empty() {
-        return Err(Failure::at("stdin", 1, format_args!("no colour in it; one a line, {SO}")));
+        return Err(Failure::at(&file, 1, format_args!("no colour in it; one a line, {SO}")));
     }
     Ok(colors)
-}
-
-/// UTF-8 with or without a byte order mark; the error has a line.
-fn text(bytes: &[u8]) -> Result<&str, (usize, &'static str)> {
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err((1, "the text is UTF-16; save it as UTF-8"));
-    }
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
-    std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
-        (line, "not UTF-8 text; save it as UTF-8 (or is it a binary file?)")
-    })
 }
 
 /// A comment is a '#' at the start of a word with a blank or nothing behind it; #cc331a is none.
@@ -79,7 +67,8 @@ fn color(text: &str, place: String) -> Result<Color, String> {
     let text = text.trim();
     let (numbers, is_code) = match text.strip_prefix('#') {
         Some(digits) => {
-            (code(digits).ok_or(format!("'{text}' is no code of 6 or 3 hexadecimal digits; {SO}"))?, true)
+            let what = || format!("'{}' is no code of 6 or 3 hexadecimal digits; {SO}", short(text));
+            (code(digits).ok_or_else(what)?, true)
         }
         None => (numbers(text)?, false),
     };
@@ -110,7 +99,8 @@ fn numbers(text: &str) -> Result<[f32; 3], String> {
     };
     let [r, g, b] = cells[..] else {
         return Err(match cells.len() {
-            1 => format!("'{text}' is not three numbers; {SO}"),
+            1 => format!("'{}' is not three numbers; {SO}", short(text)),
+            0 => format!("an empty colour; {SO}"),
             count => format!("{count} cells where a colour has 3; {SO}"),
         });
     };
@@ -118,13 +108,14 @@ fn numbers(text: &str) -> Result<[f32; 3], String> {
 }
 
 fn number(cell: &str) -> Result<f32, String> {
+    let said = short(cell);
     match cell.parse::<f32>() {
         Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!("{cell} is not a finite number; {SO}")),
+        Ok(_) => Err(format!("{said} is not a finite number; {SO}")),
         Err(_) if cell.is_empty() => Err(format!("an empty cell; {SO}")),
         Err(_) if cell.replacen(',', ".", 1).parse::<f32>().is_ok() => {
-            Err(format!("'{cell}'; write the decimal point as '.'"))
+            Err(format!("'{said}'; write the decimal point as '.'"))
         }
-        Err(_) => Err(format!("'{cell}' is not a number; {SO}")),
+        Err(_) => Err(format!("'{said}' is not a number; {SO}")),
     }
 }

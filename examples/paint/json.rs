@@ -17,8 +17,12 @@ pub fn object(args: &Args, answer: &Answer) -> Value {
         "delta_e2000": single(answer.delta_e2000),
         "linear": args.linear,
         "grid": args.grid,
+        "beyond": args.beyond().map(name_of),
         "lights": answer.looks.iter().map(look).collect::<Vec<_>>(),
     });
+    if let Some(kept) = answer.kept {
+        object["kept"] = single(kept);
+    }
     if let Some(sample) = &answer.sample {
         object["sample"] = json!(sample);
     }

@@ -20,6 +20,10 @@ mod text;
 #[expect(dead_code, reason = "there are no chromaticities to color here")]
 #[path = "../colorimeter/tint.rs"]
 mod tint;
+#[path = "../colorimeter/usage.rs"]
+mod usage;
+#[path = "../colorimeter/utf8.rs"]
+mod utf8;
 
 use answer::{Answer, Job};
 use args::Args;
@@ -42,17 +46,19 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<(), Failure> {
     let colors = if args.colors.is_empty() { answer::samples() } else { input::colors(&args.colors)? };
     let answers = grids::answers(&args.grid, &Job::new(args, &colors)?)?;
-    let pictures = match &args.svg {
-        Some(directory) => picture::save_all(directory, args, &answers)?,
-        None => Vec::new(),
-    };
-    match print(args, &answers, &pictures) {
-        // Whoever reads the pipe has had enough: `| head`.
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        Err(error) => {
+    let pictures =
+        args.svg.as_ref().map(|directory| picture::save_all(directory, args, &answers)).transpose()?;
+    match print(args, &answers, pictures.as_ref().map_or(&[], |pictures| &pictures.paths)) {
+        // Whoever reads the pipe may have had enough: `| head`.
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Failure::of("stdout", format_args!("cannot be written ({}); free its disk", error.kind())))
         }
-        Ok(()) => Ok(()),
+        _ => {
+            if let Some(pictures) = pictures {
+                pictures.keep();
+            }
+            Ok(())
+        }
     }
 }
 

@@ -35,12 +35,43 @@ struct Area {
     height: f32,
 }
 
-/// Draws every answer into a new file of `directory`, which is made if missing; the files in order.
-pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Vec<PathBuf>, Failure> {
+/// New files, and the directories made for them. Both are taken back unless they are kept.
+pub struct Pictures {
+    /// In the order of the answers.
+    pub paths: Vec<PathBuf>,
+    /// The inner ones first.
+    directories: Vec<PathBuf>,
+}
+
+impl Pictures {
+    /// The run has done all it was asked for.
+    pub fn keep(mut self) {
+        self.paths.clear();
+        self.directories.clear();
+    }
+}
+
+impl Drop for Pictures {
+    /// What cannot be removed stays: why the run fails is said already.
+    fn drop(&mut self) {
+        for path in &self.paths {
+            let _ = fs::remove_file(path);
+        }
+        for directory in &self.directories {
+            let _ = fs::remove_dir(directory);
+        }
+    }
+}
+
+/// Draws every answer into a new file of `directory`, which is made if missing.
+pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Pictures, Failure> {
     let refused = |path: &Path, error: Error| {
         let what = format!("cannot be written ({}); name a directory you may write to", error.kind());
         Failure::of(format_args!("--svg {}", path.display()), what)
     };
+    let missing = directory.ancestors().take_while(|path| path.symlink_metadata().is_err());
+    let directories = missing.map(Path::to_path_buf).collect();
+    let mut pictures = Pictures { paths: Vec::new(), directories };
     fs::create_dir_all(directory).map_err(|error| refused(directory, error))?;
     let digits = answers.len().to_string().len();
     let paths: Vec<PathBuf> = answers
@@ -58,11 +89,12 @@ pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Vec
             "is there already; remove it or name another directory",
         ));
     }
-    for (path, answer) in paths.iter().zip(answers) {
-        let file = File::create_new(path).map_err(|error| refused(path, error))?;
-        svg::write(file, &page(args, answer)).map_err(|error| refused(path, error))?;
+    for (path, answer) in paths.into_iter().zip(answers) {
+        let file = File::create_new(&path).map_err(|error| refused(&path, error))?;
+        pictures.paths.push(path.clone());
+        svg::write(file, &page(args, answer)).map_err(|error| refused(&path, error))?;
     }
-    Ok(paths)
+    Ok(pictures)
 }
 
 fn page(args: &Args, answer: &Answer) -> Document {
@@ -85,13 +117,12 @@ fn heading(args: &Args, answer: &Answer) -> Group {
     let [r, g, b] = answer.rgb;
     let sample = answer.sample.as_ref().map(|name| format!("{name}: ")).unwrap_or_default();
     let subtitle = format!(
-        "{}{}  ·  {} on {}  ·  {}, CIEDE2000 {:.5}",
+        "{}{}  ·  {} on {}  ·  {}",
         name_of(args.space),
         if args.linear { ", linear" } else { "" },
         name_of(args.method),
         args.grid,
-        answer.status,
-        answer.delta_e2000,
+        text::verdict(answer),
     );
     Group::new()
         .add(

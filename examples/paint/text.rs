@@ -41,12 +41,13 @@ impl Text {
         for line in plot::lines(&curve, self.truecolor) {
             writeln!(self.text, "  {line}")?;
         }
-        let top = answer.spectrum.iter().copied().fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
         writeln!(self.text)?;
-        self.row("highest", format_args!("{:.4} at {} nm", top.1, top.0))?;
+        if let Some(top) = answer.spectrum.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a }) {
+            self.row("highest", format_args!("{:.4} at {} nm", top.1, top.0))?;
+        }
         let [r, g, b] = answer.roundtrip;
         self.row("gives back", format_args!("{r:.5}  {g:.5}  {b:.5}"))?;
-        self.row("status", format_args!("{}, CIEDE2000 {:.5}", answer.status, answer.delta_e2000))?;
+        self.row("status", verdict(answer))?;
         let asked = self.swatch(answer.asked, 8);
         self.row("asked for", asked)?;
         for look in &answer.looks {
@@ -81,7 +82,7 @@ impl Text {
                 let swatch = self.swatch(look.srgb, 10);
                 write!(self.text, "{swatch}   ")?;
             }
-            writeln!(self.text, "{}, CIEDE2000 {:.5}", answer.status, answer.delta_e2000)?;
+            writeln!(self.text, "{}", verdict(answer))?;
         }
         if let Some(path) = pictures {
             writeln!(self.text)?;
@@ -101,6 +102,16 @@ impl Text {
     fn row(&mut self, label: &str, value: impl fmt::Display) -> fmt::Result {
         writeln!(self.text, "  {label:<INDENT$}{value}")
     }
+}
+
+/// The status, how it came about, and what it costs.
+pub fn verdict(answer: &Answer) -> String {
+    let how = match answer.kept {
+        Some(kept) => format!(" (desaturate: {:.1} % of the way from grey)", 100.0 * kept),
+        None if answer.status == "unreachable" => " (nearest)".into(),
+        None => String::new(),
+    };
+    format!("{}{how}, CIEDE2000 {:.5}", answer.status, answer.delta_e2000)
 }
 
 /// XYZ and Lab under a light.

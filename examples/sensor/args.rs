@@ -2,6 +2,7 @@
 
 use crate::chip::Chip;
 use crate::failure::Failure;
+use crate::usage::refused;
 use clap::{Parser, ValueEnum};
 use std::path::PathBuf;
 
@@ -98,12 +99,7 @@ pub enum Unit {
 impl Args {
     /// The command line, or what is wrong with it. `--help` and `--version` print and end here.
     pub fn read() -> Result<Self, Failure> {
-        let args = Args::try_parse().map_err(|error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            Failure::of("sensor", one_line(&error.to_string()))
-        })?;
+        let args = Args::try_parse().map_err(|error| refused("sensor", &error))?;
         args.check()?;
         Ok(args)
     }
@@ -139,17 +135,4 @@ impl Args {
         positive("--read-counts", self.read_counts, true)?;
         self.flicker_hz.iter().try_for_each(|hz| positive("--flicker-hz", Some(*hz), false))
     }
-}
-
-/// clap's message without its headings and usage, on one line.
-fn one_line(message: &str) -> String {
-    let said = message
-        .lines()
-        .map(str::trim)
-        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
-        .filter(|line| !line.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ")
-        .replace(" tip:", "; tip:");
-    format!("{}; see --help", said.trim_start_matches("error: "))
 }

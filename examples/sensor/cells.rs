@@ -1,9 +1,8 @@
 //! CSV with a heading, strictly: cells with the line they came from.
 
-use crate::failure::Failure;
-use std::io::{ErrorKind, Read};
+use crate::failure::{Failure, short};
+use crate::utf8;
 use std::path::Path;
-use std::{fs, io};
 
 /// A table of text.
 pub struct Table {
@@ -24,40 +23,13 @@ pub struct Row {
 
 /// A table from a file, or from standard input for `-`.
 pub fn read(path: &Path) -> Result<Table, Failure> {
-    let stdin = path.as_os_str() == "-";
-    let file = if stdin { "stdin".into() } else { path.to_string_lossy().into_owned() };
-    let bytes = bytes(path, stdin).map_err(|what| Failure::of(&file, what))?;
+    let (file, bytes) = utf8::read(path)?;
     parse(&file, &bytes)
-}
-
-fn bytes(path: &Path, stdin: bool) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let read = if stdin {
-        io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
-    } else if path.is_dir() {
-        return Err("is a directory; name a file in it".into());
-    } else {
-        fs::read(path)
-    };
-    read.map_err(|error| match error.kind() {
-        ErrorKind::NotFound => "no such file; check the name".into(),
-        ErrorKind::PermissionDenied => "may not be read; check its permissions".into(),
-        other => format!("cannot be read ({other}); check the file"),
-    })
 }
 
 /// A table from the bytes of a file.
 pub fn parse(file: &str, bytes: &[u8]) -> Result<Table, Failure> {
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(Failure::at(file, 1, "the text is UTF-16; save it as UTF-8"));
-    }
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
-        Failure::at(file, line, "not UTF-8 text; save it as UTF-8 (or is it a binary file?)")
-    })?;
-    let mut lines = text
+    let mut lines = utf8::text(file, bytes)?
         .lines()
         .zip(1..)
         .filter(|(line, _)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
@@ -135,15 +107,16 @@ impl Table {
         if cell.is_empty() {
             return Err(wrong(format!("'{name}' is empty; fill it in, or remove the row")));
         }
+        let said = short(cell);
         match cell.parse::<f64>() {
             Ok(number) if number.is_finite() && (number as f32).is_finite() => Ok(number),
             Ok(_) => {
-                Err(wrong(format!("'{name}' is {cell}, not a finite number; correct it, or remove the row")))
+                Err(wrong(format!("'{name}' is {said}, not a finite number; correct it, or remove the row")))
             }
             Err(_) if cell.replacen(',', ".", 1).parse::<f64>().is_ok() => {
-                Err(wrong(format!("'{name}' is '{cell}'; write the decimal point as '.'")))
+                Err(wrong(format!("'{name}' is '{said}'; write the decimal point as '.'")))
             }
-            Err(_) => Err(wrong(format!("'{name}' is '{cell}', not a number; correct it"))),
+            Err(_) => Err(wrong(format!("'{name}' is '{said}', not a number; correct it"))),
         }
     }
 }

@@ -20,6 +20,10 @@ mod responsivity;
 mod runs;
 mod simulate;
 mod text;
+#[path = "../colorimeter/usage.rs"]
+mod usage;
+#[path = "../colorimeter/utf8.rs"]
+mod utf8;
 
 use args::Args;
 use failure::Failure;

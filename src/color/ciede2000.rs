@@ -1,6 +1,8 @@
 //! CIEDE2000.
 
 use super::Lab;
+#[cfg(feature = "libm")]
+use super::Xyz;
 use super::difference::{Polar, polar};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
@@ -47,6 +49,26 @@ impl Default for Parametric {
 #[must_use]
 pub fn ciede2000(x: Lab, y: Lab) -> f32 {
     ciede2000_with::<Portable>(x, y, Parametric::default())
+}
+
+#[cfg(feature = "libm")]
+impl Xyz {
+    /// [`ciede2000`] between two colours seen beside the same `white`; NaN if a component of the white is not above
+    /// zero.
+    ///
+    /// ```
+    /// # use nanospectra::color::Xyz;
+    /// let d65 = Xyz::new(95.047, 100.0, 108.883);
+    /// assert_eq!(d65.scaled(0.5).delta_e(d65.scaled(0.5), d65), 0.0);
+    /// assert!(d65.delta_e(d65, Xyz::new(0.0, 0.0, 0.0)).is_nan());
+    /// ```
+    #[must_use]
+    pub fn delta_e(self, other: Xyz, white: Xyz) -> f32 {
+        match (self.lab(white), other.lab(white)) {
+            (Some(one), Some(other)) => ciede2000(one, other),
+            _ => f32::NAN,
+        }
+    }
 }
 
 /// [`ciede2000`] by the functions of `M`, with parametric factors.

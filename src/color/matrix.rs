@@ -20,7 +20,7 @@ pub(crate) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
     out
 }
 
-/// The inverse by cofactors; `m` is one of the crate's own matrices and has one.
+/// The inverse by cofactors; not finite where there is none.
 pub(crate) const fn inverse64(m: &Matrix64) -> Matrix64 {
     let [[a, b, c], [d, e, f], [g, h, i]] = *m;
     let det = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);

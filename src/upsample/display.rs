@@ -37,7 +37,7 @@ impl<const N: usize, G: Grid> Display<N, G> {
     /// From the measured spectra of red, green and blue at full drive, and the eye to match colours for; for
     /// `const` use. In the units of both: W/sr/m2/nm and an eye times [`KM`](crate::observer::KM) make cd/m2.
     ///
-    /// Primaries whose colours lie on a line have no inverse, and their `rgb` is not finite.
+    /// Primaries whose colours lie on a line have no inverse, and their `rgb` means nothing.
     #[must_use]
     pub const fn new(primaries: [Spectrum<Power, N, G>; 3], eye: &Observer<3, N, Power, G>) -> Self {
         let seen = seen(&primaries, eye);
@@ -45,6 +45,8 @@ impl<const N: usize, G: Grid> Display<N, G> {
     }
 
     /// As [`new`](Self::new), the primaries scaled so that RGB (1, 1, 1) has chromaticity `white_xy` and Y = 1.
+    ///
+    /// A white with y = 0 has no such scale, and one that the primaries cannot make takes a negative amount of one.
     #[must_use]
     pub const fn balanced(
         primaries: [Spectrum<Power, N, G>; 3],

@@ -4,7 +4,8 @@ use crate::grid::Grid;
 use crate::math::sqrt;
 use crate::spectrum::{Factor, Spectrum};
 
-/// The reflectance of opaque paints mixed in these shares (any scale, none below zero).
+/// The reflectance of opaque paints, each within 0..=1, mixed in these shares (any scale, none below zero, together
+/// below 1e38).
 ///
 /// At each wavelength the ratio of absorption to scattering, (1 - R)^2 / 2R, is averaged by share: one
 /// constant, all paints scatter alike. Blue and yellow make green, where averaging the reflectances makes grey.

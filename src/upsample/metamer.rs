@@ -1,8 +1,8 @@
 //! What of a spectrum an eye cannot see.
 
-use crate::color::matrix::{Matrix64, inverse64};
 #[cfg(feature = "libm")]
-use crate::color::{Xyz, ciede2000};
+use crate::color::Xyz;
+use crate::color::matrix::{Matrix64, inverse64};
 use crate::grid::{Bins, Grid};
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Quantity, Spectrum};
@@ -41,6 +41,9 @@ pub struct CohenR<const N: usize, Q = Factor, G = Bins<380, 730>> {
 
 impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
     /// Of this observer; for `const` use.
+    ///
+    /// An observer one of whose rows is a mixture of the others (two bands are too few for three) has no R, and what
+    /// this splits means nothing.
     #[must_use]
     pub const fn new(eye: &Observer<3, N, Q, G>) -> Self {
         let rows = eye.weights();
@@ -102,10 +105,6 @@ impl<const N: usize, G: Grid> Observer<3, N, Factor, G> {
     #[must_use]
     pub fn delta_e(&self, one: &Spectrum<Factor, N, G>, other: &Spectrum<Factor, N, G>) -> f32 {
         let white = Xyz::from(self.sees(&Spectrum::flat(1.0)));
-        let lab = |surface| Xyz::from(self.sees(surface)).lab(white);
-        match (lab(one), lab(other)) {
-            (Some(one), Some(other)) => ciede2000(one, other),
-            _ => f32::NAN,
-        }
+        Xyz::from(self.sees(one)).delta_e(Xyz::from(self.sees(other)), white)
     }
 }

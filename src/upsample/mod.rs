@@ -35,8 +35,8 @@
 //! | [`Smits`] | 28 N | no: 0.9 CIEDE2000 in the mean | up to 1.015 | in pieces | ten steps |
 //!
 //! Under another lamp than the one it was made for, a spectrum shows its shape. Against the measured
-//! reflectances of CES99 the sigmoid is off by 1.5 (FL2) to 2.2 CIEDE2000 (A) in the mean, the basis by 2 to
-//! 3: nobody can know more of a paint from three numbers.
+//! reflectances of CES99 the sigmoid is off by 1.2 (LED-B3) to 2.2 CIEDE2000 (A) in the mean, the basis by 1.4 to
+//! 3.0: nobody can know more of a paint from three numbers.
 //!
 //! # Three meanings
 //!

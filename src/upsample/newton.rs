@@ -6,6 +6,7 @@
 //! what is done at once is the twelve of them, or several colours.
 
 use super::rsqrt::{rsqrt, rsqrt_near, unsigmoid};
+use super::shape::sigmoid;
 use super::start::StartMap;
 
 /// For each bin the weight of the three responses, and x.
@@ -18,41 +19,39 @@ type Sums = [[f32; 4]; 3];
 const NEAR: f32 = 2e-3;
 /// The same for curves steeper than any of sRGB, where a step gains less.
 const NEAR_IF_STEEP: f32 = 1e-4;
-/// Curves with more than this in all three numbers are steep.
-const STEEP: f32 = 128.0;
+/// Curves with more than this in all three numbers are steep; those of sRGB have 54 at most.
+const STEEP: f32 = 64.0;
 /// Undamped steps; sRGB colours on 31 bands or more need 6 at most.
 const STEPS: usize = 8;
 /// Damped steps, for what undamped ones do not find.
 const DAMPED_STEPS: usize = 40;
-/// Responses that are off by less in all are those asked for.
-const CLOSE: f32 = 1e-6;
+/// Steps to what is nearest, for what no curve has.
+const NEAREST_STEPS: usize = 40;
 /// The longest damped step from the middle; further out a quarter of the way longer.
 const LONGEST: f32 = 8.0;
 /// Responses nearer than this to 0 or 1 are not asked for.
 const LEAST: f32 = 1e-6;
 
-/// A curve, and where it has not the responses asked for, those it has.
+/// A curve; and unless its responses are sure to be those asked for, what they are.
 pub(super) type Found = ([f32; 3], Option<[f32; 3]>);
 
 /// Can a curve have these responses, as far as each by itself can say?
 #[inline(always)]
 fn possible(responses: [f32; 3]) -> bool {
-    responses.iter().all(|a| *a > LEAST && *a < 1.0 - LEAST)
+    // a (1 - a) is as small as that at both ends, and below zero beyond.
+    responses.iter().all(|a| a * (1.0 - a) > LEAST)
 }
 
-/// Kept off 0 and 1; NaN stays.
+/// Kept off 0 and 1. (NaN, which the sums of huge components may be, becomes a number: no curve has either.)
 #[inline(always)]
 fn within(a: f32) -> f32 {
-    a.clamp(LEAST, 1.0 - LEAST)
+    let a = if a > LEAST { a } else { LEAST };
+    if a < 1.0 - LEAST { a } else { 1.0 - LEAST }
 }
 
 #[inline(always)]
 fn goal(responses: [f32; 3]) -> [f32; 3] {
-    let mut u = [0.0; 3];
-    for (u, a) in u.iter_mut().zip(responses) {
-        *u = unsigmoid(within(a));
-    }
-    u
+    responses.map(|a| unsigmoid(within(a)))
 }
 
 /// The curve of one colour, if undamped steps find it; nothing else, for programs that must be small.
@@ -61,7 +60,7 @@ pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     if !possible(responses) {
         return None;
     }
-    let u = goal(responses);
+    let u = responses.map(unsigmoid);
     let mut q = M::start(u);
     for _ in 0..STEPS {
         let step = step(&one(rows, q), u);
@@ -78,10 +77,9 @@ pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
 /// The curve of one colour.
 #[inline(always)]
 pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Found {
-    if possible(responses) {
-        descend(rows, responses, M::start(goal(responses)), STEPS + DAMPED_STEPS)
-    } else {
-        damped(rows, responses)
+    match exact::<N, M>(rows, responses) {
+        Some(q) => settled(rows, q),
+        None => damped(rows, responses),
     }
 }
 
@@ -118,7 +116,7 @@ pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     let mut found = [([0.0; 3], None); L];
     for l in 0..L {
         found[l] = if open[l] == 0.0 && possible(responses[l]) {
-            ([q[0][l], q[1][l], q[2][l]], None)
+            settled(rows, [q[0][l], q[1][l], q[2][l]])
         } else {
             damped(rows, responses[l])
         };
@@ -126,60 +124,96 @@ pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     found
 }
 
-fn damped<const N: usize>(rows: &Rows<N>, responses: [f32; 3]) -> Found {
-    descend(rows, responses, [0.0; 3], DAMPED_STEPS)
+/// Up to forty steps of limited length from the middle; if none of them is the last, what is nearest.
+#[inline(never)]
+fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
+    let (u, mut q) = (goal(asked), [0.0; 3]);
+    let steps = if possible(asked) { DAMPED_STEPS } else { 0 };
+    for _ in 0..steps {
+        let step = step(&one(rows, q), u);
+        let (length, longest) = (size(&step.q), LONGEST + 0.25 * size(&q));
+        if !length.is_finite() {
+            break;
+        }
+        let part = if length > longest { longest / length } else { 1.0 };
+        for (q, step) in q.iter_mut().zip(step.q) {
+            *q += part * step;
+        }
+        if is_last(&q, &step) {
+            return settled(rows, q);
+        }
+    }
+    let q = nearest(rows, asked);
+    (q, Some(responses(rows, q)))
 }
 
-/// Undamped steps from `q`, then up to forty of limited length from the middle, the best of which is kept.
+/// A curve after its last step. Steep ones may be off by what f32 cannot hold, and those of few bands by what the last
+/// step leaves.
+#[inline(always)]
+fn settled<const N: usize>(rows: &Rows<N>, q: [f32; 3]) -> Found {
+    (q, if N < 16 || size(&q) > STEEP { Some(responses(rows, q)) } else { None })
+}
+
+/// What a curve's responses are, small ones to all their digits.
 #[inline(never)]
-fn descend<const N: usize>(rows: &Rows<N>, asked: [f32; 3], mut q: [f32; 3], steps: usize) -> Found {
-    let u = goal(asked);
-    // What is nearest to a colour out of reach is nearest to where its responses leave 0..=1.
-    let reachable = asked.map(within);
-    let (mut best, mut found) = (f32::INFINITY, (q, Some([0.5; 3])));
-    let mut left = steps;
-    while left > 0 {
-        if left == DAMPED_STEPS {
-            q = [0.0; 3];
+fn responses<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> [f32; 3] {
+    let mut sums = [0.0; 3];
+    for [w0, w1, w2, x] in rows {
+        let share = sigmoid((q0 * x + q1) * x + q2);
+        sums = [sums[0] + w0 * share, sums[1] + w1 * share, sums[2] + w2 * share];
+    }
+    sums
+}
+
+/// The curve whose responses are nearest to those asked for, by the method of Levenberg and Marquardt: least squares
+/// of what is missing over the square roots of the responses, which is near to what an eye makes of it.
+fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
+    let asked = asked.map(within);
+    let weights = asked.map(|a| 1.0 / (if a > 0.01 { a } else { 0.01 }));
+    let missing = |q| {
+        let [a, b, c] = responses(rows, q);
+        [a - asked[0], b - asked[1], c - asked[2]]
+    };
+    let cost = |[a, b, c]: [f32; 3]| weights[0] * a * a + weights[1] * b * b + weights[2] * c * c;
+    let mut q = [0.0; 3];
+    let mut left = missing(q);
+    let mut damping = 1e-2;
+    for _ in 0..NEAREST_STEPS {
+        // The normal equations, with the slopes of the responses (twice: the halves are in the step).
+        let ([mut aa, mut ab, mut ac, mut bb, mut bc, mut cc], mut y) = ([0.0; 6], [0.0; 3]);
+        for (([_, a, b, c], left), weight) in one(rows, q).iter().zip(left).zip(weights) {
+            (aa, ab, ac) = (aa + weight * a * a, ab + weight * a * b, ac + weight * a * c);
+            (bb, bc, cc) = (bb + weight * b * b, bc + weight * b * c, cc + weight * c * c);
+            let back = -2.0 * weight * left;
+            y = [y[0] + back * a, y[1] + back * b, y[2] + back * c];
         }
-        let step = step(&one(rows, q), u);
-        let [s0, s1, s2] = step.q;
-        let mut part = 1.0;
-        if left <= DAMPED_STEPS {
-            let off = size(&step.responses, &reachable);
-            if off < best {
-                (best, found) = (off, (q, Some(step.responses)));
-            }
-            let length = size(&step.q, &[0.0; 3]);
-            if !length.is_finite() {
+        let more = 1.0 + damping;
+        let step = solved(&[[aa * more, ab, ac], [ab, bb * more, bc], [ac, bc, cc * more]], y);
+        let trial = [q[0] + step[0], q[1] + step[1], q[2] + step[2]];
+        let left_there = missing(trial);
+        if cost(left_there) < cost(left) {
+            (q, left) = (trial, left_there);
+            damping *= 0.3;
+        } else {
+            damping *= 4.0;
+            if damping > 1e6 {
                 break;
             }
-            let longest = LONGEST + 0.25 * size(&q, &[0.0; 3]);
-            if length > longest {
-                part = longest / length;
-            }
         }
-        q = [q[0] + part * s0, q[1] + part * s1, q[2] + part * s2];
-        if is_last(&q, &step) && possible(asked) {
-            return (q, None);
-        }
-        left -= 1;
     }
-    let (q, given) = found;
-    // Steep curves keep wandering by what f32 cannot hold.
-    (q, if best < CLOSE && possible(asked) { None } else { given })
+    q
 }
 
 /// Is the curve, after a step, exact?
 #[inline(always)]
 fn is_last(q: &[f32; 3], step: &Step) -> bool {
-    step.far < if size(q, &[0.0; 3]) > STEEP { NEAR_IF_STEEP } else { NEAR }
+    step.far < if size(q) > STEEP { NEAR_IF_STEEP } else { NEAR }
 }
 
-/// How far apart, over the three; NaN if one is.
+/// The sum of the sizes of all three; NaN if one is.
 #[inline(always)]
-fn size([a, b, c]: &[f32; 3], [x, y, z]: &[f32; 3]) -> f32 {
-    (a - x).abs() + (b - y).abs() + (c - z).abs()
+fn size([a, b, c]: &[f32; 3]) -> f32 {
+    a.abs() + b.abs() + c.abs()
 }
 
 struct Step {
@@ -187,14 +221,12 @@ struct Step {
     q: [f32; 3],
     /// How much of u was missing before, over the three; below `NEAR` the curve is exact after.
     far: f32,
-    /// The responses before.
-    responses: [f32; 3],
 }
 
 /// From the sums to the step.
 #[inline(always)]
 fn step(sums: &Sums, u: [f32; 3]) -> Step {
-    let (mut goal, mut responses, mut far) = ([0.0; 3], [0.0; 3], 0.0);
+    let (mut goal, mut far) = ([0.0; 3], 0.0);
     for k in 0..3 {
         let a = within(0.5 + 0.5 * sums[k][0]);
         // du/da = 1/4 (a (1 - a))^-3/2, and da/dq is half the sum.
@@ -202,18 +234,21 @@ fn step(sums: &Sums, u: [f32; 3]) -> Step {
         let root = rsqrt(g);
         let missing = u[k] - (a - 0.5) * root;
         goal[k] = 8.0 * missing * (g * g * root);
-        responses[k] = a;
         far += missing.abs();
     }
-    // Cramer's rule.
     let [[_, a, b, c], [_, d, e, f], [_, g, h, i]] = *sums;
+    Step { q: solved(&[[a, b, c], [d, e, f], [g, h, i]], goal), far }
+}
+
+/// Cramer's rule.
+#[inline(always)]
+fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32; 3]) -> [f32; 3] {
     let (m0, m1, m2) = (e * i - f * h, f * g - d * i, d * h - e * g);
     let per_det = 1.0 / (a * m0 + b * m1 + c * m2);
-    let [y0, y1, y2] = goal;
     let q0 = m0 * y0 + (c * h - b * i) * y1 + (b * f - c * e) * y2;
     let q1 = m1 * y0 + (a * i - c * g) * y1 + (c * d - a * f) * y2;
     let q2 = m2 * y0 + (b * g - a * h) * y1 + (a * e - b * d) * y2;
-    Step { q: [q0 * per_det, q1 * per_det, q2 * per_det], far, responses }
+    [q0 * per_det, q1 * per_det, q2 * per_det]
 }
 
 /// The twelve sums of several colours. One loop over the lanes with all that is done for a bin in it: long enough

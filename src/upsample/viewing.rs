@@ -1,7 +1,5 @@
 //! Who looks, under which white, and what RGB means there.
 
-#[cfg(feature = "libm")]
-use crate::color::ciede2000;
 use crate::color::matrix::{apply, inverse64, rounded};
 use crate::color::{Rgb, RgbSpace, Srgb, Xyz, to_xyz64};
 use crate::grid::{Bins, Grid};
@@ -84,10 +82,6 @@ impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
     #[must_use]
     pub fn delta_e(&self, asked: Rgb<S>, surface: &Spectrum<Factor, N, G>) -> f32 {
         let white = self.xyz(Rgb::new(1.0, 1.0, 1.0));
-        let given = Xyz::from(self.eye.sees(surface));
-        match (self.xyz(asked).lab(white), given.lab(white)) {
-            (Some(asked), Some(given)) => ciede2000(asked, given),
-            _ => f32::NAN,
-        }
+        self.xyz(asked).delta_e(Xyz::from(self.eye.sees(surface)), white)
     }
 }

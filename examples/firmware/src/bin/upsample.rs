@@ -1,4 +1,4 @@
-//! One RGB to the reflectance that has it, on 31 bands, by the smallest start map, and nothing else.
+//! One RGB to the reflectance that has it, on 31 bands, by the default start map, and nothing else.
 //!
 //! `tests/devices.sh` looks into this image: the weights, the start map and the solver in 2.5 KB of flash, no
 //! `core::fmt`, no soft f64, nothing of libm. That it cannot panic is proved here, by linking.
@@ -7,15 +7,14 @@
 
 use core::hint::black_box;
 use nanospectra::color::Rgb;
-use nanospectra::color::Srgb;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
-use nanospectra::upsample::{Linear, Sigmoid, Viewing};
+use nanospectra::upsample::{Sigmoid, Viewing};
 use nanospectra::{Curve, Interpolation, Nodes, Outside};
 
 type Eye = Viewing<31, Nodes<400, 700>>;
 
-static SIGMOID: Sigmoid<31, Nodes<400, 700>, Srgb, Linear> = Sigmoid::new(&Eye::new(
+static SIGMOID: Sigmoid<31, Nodes<400, 700>> = Sigmoid::new(&Eye::new(
     &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
 ));
 

@@ -1,5 +1,6 @@
 //! Prints the instructions that an RGB takes to its reflectance on 31 bands: the mean and the most over 729 colours
-//! of the sRGB cube, for each start map; and what reading 31 bands of the result takes.
+//! of the sRGB cube, for each start map; what reading 31 bands of the result takes; and the linear methods, which give
+//! the 31 bands at once.
 #![no_std]
 #![no_main]
 
@@ -7,7 +8,7 @@ use nanospectra::color::{Rgb, Srgb};
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Solved, StartMap, Status, Viewing,
+    Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing,
 };
 use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance};
 use nanospectra_firmware::clock::Clock;
@@ -21,6 +22,8 @@ static EYE: Viewing<31, Grid> =
 static LINEAR: Sigmoid<31, Grid, Srgb, Linear> = Sigmoid::new(&EYE);
 static CUBIC: Sigmoid<31, Grid, Srgb, Cubic> = Sigmoid::new(&EYE);
 static QUINTIC: Sigmoid<31, Grid, Srgb, Quintic> = Sigmoid::new(&EYE);
+static BASIS: Basis<31, Grid> = Basis::new(&EYE);
+static SMITS: Smits<31, Grid> = Smits::new();
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
@@ -31,6 +34,9 @@ fn main() -> ! {
     count(&clock, "quintic", by_quintic);
     let curve = SigmoidReflectance::from_texel([3.0, -4.0, 0.5, 0.75]);
     println!("upsample-read-31 {}", clock.count(read, &curve, &mut Reflectance::flat(0.0)));
+    let orange = Rgb::new(0.8, 0.2, 0.1);
+    println!("upsample-basis-31 {}", clock.count(by_basis, &orange, &mut Reflectance::flat(0.0)));
+    println!("upsample-smits-31 {}", clock.count(by_smits, &orange, &mut Reflectance::flat(0.0)));
     process::exit(0)
 }
 
@@ -77,4 +83,14 @@ fn by_quintic(rgb: &Rgb<Srgb>, answer: &mut Answer) {
 #[inline(never)]
 fn read(curve: &SigmoidReflectance, bins: &mut Reflectance<31, Grid>) {
     *bins = curve.on_grid();
+}
+
+#[inline(never)]
+fn by_basis(rgb: &Rgb<Srgb>, bins: &mut Reflectance<31, Grid>) {
+    *bins = BASIS.reflectance(*rgb);
+}
+
+#[inline(never)]
+fn by_smits(rgb: &Rgb<Srgb>, bins: &mut Reflectance<31, Grid>) {
+    *bins = SMITS.reflectance(*rgb);
 }
