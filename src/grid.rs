@@ -100,3 +100,30 @@ impl<G: Grid, const N: usize> Layout<G, N> {
         if k + 1 >= N { Self::LAST_CENTRE } else { Self::FIRST_CENTRE + k as f32 * Self::STEP }
     }
 }
+
+/// `Clone`, `Copy`, `PartialEq` and `Debug` by these fields, whatever the grid: derived, they would ask it of the
+/// grid too, which is only a name.
+macro_rules! by_fields {
+    ([$($generics:tt)*] $type:ty, $name:literal: $($field:tt),+) => {
+        impl<$($generics)*> Clone for $type {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<$($generics)*> Copy for $type {}
+
+        impl<$($generics)*> PartialEq for $type {
+            fn eq(&self, other: &Self) -> bool {
+                $(self.$field == other.$field)&&+
+            }
+        }
+
+        impl<$($generics)*> core::fmt::Debug for $type {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.debug_struct($name)$(.field(stringify!($field), &self.$field))+.finish()
+            }
+        }
+    };
+}
+pub(crate) use by_fields;

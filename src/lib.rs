@@ -37,11 +37,14 @@
 //! * [`Grid`]: where N bands lie. [`Bins`] between edges, [`Nodes`] centred on wavelengths.
 //! * [`Spectrum`]: N averages of [`Power`] or [`Factor`] on a grid, from samples, lines, tables.
 //! * [`light`]: where power comes from: the CIE illuminants, daylight, black bodies.
-//! * [`matter`]: what light meets: the standard test samples.
+//! * [`matter`]: what light meets: test samples; glasses, metals, matt and rough surfaces; films, absorbers, scatterers;
+//!   dyes, mirrors, polarisers.
 //! * [`observer`]: what looks: eyes, cones, V(lambda), any C-channel sensor; the fold.
+//! * [`path`]: lamp, filter, surface, in that order; fluorescence and polarisation where they are called for.
 //! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
 //! * [`upsample`]: the way back: a spectrum for an RGB, exact, smooth and within 0..=1.
-//! * [`radiometry`]: what it does: lumens, melanopic stimulation, photons.
+//! * [`radiometry`]: how much of it, where: radiance to lux with units, solid angles, form factors, directions and the
+//!   hemisphere; melanopic stimulation, photons.
 //! * [`sensor`]: how silicon sees it: raw counts to colour, calibration, uncertainty, integers only.
 //! * [`math`]: the elementary functions, and the backends that provide them.
 //!
@@ -81,6 +84,8 @@ pub mod matter;
 
 pub mod observer;
 
+pub mod path;
+
 pub mod color;
 
 pub mod upsample;
@@ -94,7 +99,8 @@ pub mod math;
 pub use grid::{Bins, Grid, Nodes};
 pub use observer::{Curve, FineObserver, Observer};
 pub use spectrum::{
-    Factor, Fine, Interpolation, Light, Outside, PerBin, Power, Quantity, Reflectance, SamplesError, Spectrum,
+    Factor, Fine, Index, Interpolation, Light, Outside, PerBin, Power, Quantity, Reflectance, SamplesError,
+    Spectrum,
 };
 #[cfg(feature = "heapless")]
 pub use spectrum::{PushError, Samples};

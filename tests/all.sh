@@ -13,11 +13,17 @@ step() { printf '\n== %s (after %d s)\n' "$*" "$SECONDS"; }
 bare="thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf wasm32-unknown-unknown"
 skipped=()
 
-step "targets, formatter and lints"
+step "targets, formatter, lints and valgrind"
 for target in $bare; do
     rustup target add "$target" || skipped+=("target $target cannot be installed: nothing was built for it")
 done
 rustup component add rustfmt clippy
+if ! command -v valgrind >/dev/null; then
+    sudo=
+    [[ $(id -u) == 0 ]] || sudo=sudo
+    $sudo apt-get update && $sudo apt-get install -y --no-install-recommends valgrind ||
+        skipped+=("valgrind cannot be installed: no instructions of paths were counted on the host")
+fi
 
 step "formatting"
 cargo fmt --all --check
@@ -67,12 +73,12 @@ cargo test --release --test upsample_all -- --ignored on_31_bands
 step "what features could change: with every one, then with none, and with checks for overflow"
 tests() { for name; do echo "--test $name"; done; }
 # shellcheck disable=SC2046
-cargo test --all-features --lib $(tests backends bits every_f32 fixed hard_cases properties sensor_measures \
+cargo test --all-features --lib $(tests backends bits brdf every_f32 films fixed hard_cases path properties scene sensor_measures \
     sensor_readings semantics upsample upsample_properties)
 cargo test --all-features --doc
 # shellcheck disable=SC2046
-cargo test --no-default-features --lib $(tests accuracy backends cct color_spaces differences fixed \
-    properties reference semantics sensor_calibration sensor_measures sensor_readings upsample_fit)
+cargo test --no-default-features --lib $(tests accuracy backends brdf cct color_spaces differences films fixed path \
+    properties radiometry reference semantics sensor_calibration sensor_measures sensor_readings upsample_fit)
 cargo test --no-default-features --doc
 
 step "the benches run and check their results"

@@ -43,6 +43,7 @@ $m4f small upsample-cubic-31-most 16000 instructions
 $m4f release upsample-linear-31-most 10000 instructions
 $m4f small upsample-linear-31-most 16000 instructions
 $m4f small upsample-(code|tables) 2560 bytes
+$m4f release path-vest-folded 350 instructions
 $m0 release fixed-counts-xyz-lux 600 instructions
 $m0 small fixed-counts-xyz-lux 600 instructions
 $m0 release fixed-counts-cct-duv 4000 instructions

@@ -1,5 +1,5 @@
 //! What must not compile, and what the compiler then says: spectra on different grids, grids that are none, a
-//! light applied twice.
+//! light applied twice, paths that mix what cannot be mixed.
 
 mod programs;
 
@@ -7,7 +7,7 @@ use programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 13] = [
+const REFUSED: [(&str, &str, &[&str]); 28] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -30,7 +30,11 @@ const REFUSED: [(&str, &str, &[&str]); 13] = [
             let eye: Observer<3, 36, Power> = CIE_1931.fold(Curve::Step);
             println!(\"{:?}\", eye.sees(&Light::<36, Nodes<380, 730>>::flat(1.0)));
         }",
-        &["mismatched types", "Nodes<380, 730>"],
+        &[
+            "is no path of `Power` in 36 bins of `Bins<380, 730>`",
+            "Nodes<380, 730>",
+            "all stages lie on one grid",
+        ],
     ),
     (
         "shows_a_lamp_to_a_folded_eye",
@@ -39,7 +43,7 @@ const REFUSED: [(&str, &str, &[&str]); 13] = [
             let eye: Observer<3, 16> = CIE_1931.under(&L41).fold(Curve::Spline);
             println!(\"{:?}\", eye.sees(&Light::<16>::flat(1.0)));
         }",
-        &["mismatched types", "Factor", "Power"],
+        &["is no path of `Factor` in 16 bins", "an eye that has a light folded in (`under`) reads `Factor`"],
     ),
     (
         "lights_an_eye_twice",
@@ -57,7 +61,7 @@ const REFUSED: [(&str, &str, &[&str]); 13] = [
         "shows_counts_of_bins_to_an_eye",
         "use nanospectra::{Fine, PerBin, observer::CIE_1931};
         fn main() { println!(\"{:?}\", CIE_1931.sees(&Fine::<PerBin>::flat(1.0))); }",
-        &["mismatched types", "Power", "PerBin"],
+        &["is no path of `Power` in 471 bins", "PerBin"],
     ),
     (
         "resamples_counts_of_bins",
@@ -97,6 +101,132 @@ const REFUSED: [(&str, &str, &[&str]); 13] = [
         "use nanospectra::{Light, Nodes};
         fn main() { println!(\"{:?}\", Light::<1, Nodes<380, 780>>::from_bins([1.0])); }",
         &["one band has no spacing: use Bins for it"],
+    ),
+    (
+        "mirrors_plain_light",
+        "use nanospectra::{Light, matter::Mirror};
+        fn main() {
+            let lake = Mirror::<31>::dielectric(&[1.33; 31], 0.6, 0.0);
+            println!(\"{:?}\", Light::<31>::flat(1.0).onto(&lake).price());
+        }",
+        &[
+            "is not polarised light in 31 bins",
+            "write `light.polarised()` first",
+            "mirror.ignoring_polarisation()",
+        ],
+    ),
+    (
+        "polarises_what_a_matt_surface_sent_back",
+        "use nanospectra::{Light, Reflectance, matter::Polariser};
+        fn main() {
+            let (sheet, paper) = (Polariser::<31>::ideal(0.0), Reflectance::flat(0.5));
+            let light = Light::<31>::flat(1.0);
+            println!(\"{:?}\", light.polarised().through(&sheet).onto(&paper).through(&sheet).price());
+        }",
+        &["is not polarised light in 31 bins", "write `light.polarised()` first"],
+    ),
+    (
+        "looks_at_polarised_light",
+        "use nanospectra::{Curve, Light, Observer, Power, observer::CIE_1931};
+        fn main() {
+            let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
+            println!(\"{:?}\", eye.sees(Light::<31>::flat(1.0).polarised()));
+        }",
+        &["is no path of `Power` in 31 bins", "by `.ignoring_polarisation()`"],
+    ),
+    (
+        "sees_a_vest_without_light",
+        "use nanospectra::{Curve, Observer, light::L41, matter::Dye, observer::CIE_1931};
+        fn main() { see(CIE_1931.under(&L41).fold(Curve::Step), todo!()) }
+        fn see(eye: Observer<3, 31>, vest: Dye<31>) { println!(\"{:?}\", eye.sees(&vest)); }",
+        &["is no path of `Factor` in 31 bins", "`eye.looking_at_dye(&dye).under(&lamp)`"],
+    ),
+    (
+        "makes_a_vest_glow_by_a_factor",
+        "use nanospectra::{Observer, Reflectance, matter::Dye};
+        fn main() {}
+        pub fn see(eye: Observer<3, 31>, paper: Reflectance<31>, vest: Dye<31>) {
+            println!(\"{:?}\", eye.sees(paper.onto(&vest)));
+        }",
+        &["cannot make matter fluoresce", "`eye.looking_at_dye(&dye).under(&lamp)`"],
+    ),
+    (
+        "folds_a_vest_in_after_the_light",
+        "use nanospectra::{Light, Observer, Power, matter::Dye};
+        fn main() {}
+        pub fn fold(eye: Observer<3, 31, Power>, lamp: Light<31>, vest: Dye<31>) {
+            println!(\"{:?}\", eye.under(&lamp).looking_at_dye(&vest));
+        }",
+        &["method `looking_at_dye` is available on `&Observer<3, 31, Power>`"],
+    ),
+    (
+        "puts_a_filter_of_another_grid_into_the_path",
+        "use nanospectra::{Bins, Light, Reflectance};
+        fn main() {
+            let glass = Reflectance::<16, Bins<400, 700>>::flat(0.5);
+            println!(\"{:?}\", Light::<16>::flat(1.0).through(&glass).price());
+        }",
+        &["is no path of `Power` in 16 bins of `Bins<400, 700>`", "all stages lie on one grid"],
+    ),
+    (
+        "puts_a_dye_of_another_size_into_the_path",
+        "use nanospectra::{Light, matter::Dye};
+        fn main() {}
+        pub fn glow(sun: Light<16>, vest: Dye<31>) { println!(\"{:?}\", sun.onto(&vest).price()); }",
+        &["is no path of `Power` in 31 bins"],
+    ),
+    (
+        "shines_light_onto_light",
+        "use nanospectra::Light;
+        fn main() { println!(\"{:?}\", Light::<31>::flat(1.0).onto(&Light::<31>::flat(1.0)).price()); }",
+        &["is no surface that", "is applied once, as the start of the path"],
+    ),
+    (
+        "shines_light_through_light",
+        "use nanospectra::Light;
+        fn main() { println!(\"{:?}\", Light::<31>::flat(1.0).through(&Light::<31>::flat(1.0)).price()); }",
+        &["is no filter that", "is applied once, as the start of the path"],
+    ),
+    (
+        "shows_a_lit_paper_to_a_folded_eye",
+        "use nanospectra::{Light, Observer, Reflectance};
+        fn main() {}
+        pub fn see(eye: Observer<3, 31>, sun: Light<31>, paper: Reflectance<31>) {
+            println!(\"{:?}\", eye.sees(sun.onto(&paper)));
+        }",
+        &["is no path of `Factor` in 31 bins", "an eye that has a light folded in (`under`) reads `Factor`"],
+    ),
+    (
+        "samples_an_rgb",
+        "use nanospectra::{Light, Outside, color::Srgb, path::RgbBands};
+        fn main() {
+            println!(\"{:?}\", Light::<3, RgbBands<Srgb>>::from_samples(&[(400.0, 1.0)], Outside::Zero));
+        }",
+        &["from_samples", "Srgb>: Grid`", "from_rgb"],
+    ),
+    (
+        "shines_a_spectrum_onto_an_rgb",
+        "use nanospectra::{Light, Reflectance, color::Srgb, path::RgbBands};
+        fn main() {}
+        pub fn shine(sun: Light<3>, red: Reflectance<3, RgbBands<Srgb>>) {
+            println!(\"{:?}\", sun.onto(&red).price());
+        }",
+        &["is no path of `Power` in 3 bins of `RgbBands<"],
+    ),
+    (
+        "takes_longer_than_it_may",
+        "use nanospectra::{Light, Reflectance};
+        fn main() {
+            let path = (Light::<31>::flat(1.0), Reflectance::<31>::flat(1.0));
+            println!(\"{:?}\", path.0.onto(&path.1).within::<30>().price());
+        }",
+        &["this path takes more multiply-adds than it may"],
+    ),
+    (
+        "packs_a_matrix_wrongly",
+        "use nanospectra::{Reflectance, matter::Donaldson};
+        fn main() { println!(\"{:?}\", Donaldson::<31, 495>::of_reflectance(&Reflectance::flat(0.5))); }",
+        &["a Donaldson matrix of N bins has N * (N + 1) / 2 pairs"],
     ),
 ];
 

@@ -6,6 +6,7 @@
 //! half the instructions; features only make more backends available, and no feature changes a number.
 
 mod backend;
+mod double;
 mod fast;
 #[cfg(feature = "libm")]
 mod libm;
@@ -20,6 +21,7 @@ mod turns;
 mod vsqrt;
 
 pub use backend::Math;
+pub(crate) use double::Double;
 pub use fast::Fast;
 pub(crate) use roots::sqrt_by_digits;
 pub use roots::{cbrt, sqrt};

@@ -6,14 +6,14 @@
 /// # Accuracy
 /// 1.7e-7 absolute, for any finite argument.
 #[must_use]
-pub fn cos(turns: f32) -> f32 {
+pub const fn cos(turns: f32) -> f32 {
     // What whole turns leave is exact, and so is the distance from the quarter turn.
     quarter_sine(0.25 - fraction(turns).abs())
 }
 
 /// Sine of `turns` full turns; accuracy as [`cos`].
 #[must_use]
-pub fn sin(turns: f32) -> f32 {
+pub const fn sin(turns: f32) -> f32 {
     let part = fraction(turns);
     // Beyond a quarter turn the sine goes back as it came.
     let size = part.abs();
@@ -25,7 +25,7 @@ pub fn sin(turns: f32) -> f32 {
 /// sin(2 pi t) for |t| <= 1/4: the Taylor series in t, which at a quarter turn is off by 7e-10. Its first three
 /// coefficients are a unit in the last place or so off their values, where the roundings then meet best: 1.6e-7
 /// and not 2.2e-7.
-fn quarter_sine(t: f32) -> f32 {
+const fn quarter_sine(t: f32) -> f32 {
     let s = t * t;
     let series = 42.058_693 - s * (15.094_643 - s * 3.819_952_6);
     let series = 81.605_255 - s * (76.705_86 - s * series);
@@ -34,7 +34,7 @@ fn quarter_sine(t: f32) -> f32 {
 }
 
 /// What is left of `turns` after the nearest whole number of them, from -1/2 to 1/2; exact.
-fn fraction(turns: f32) -> f32 {
+pub(crate) const fn fraction(turns: f32) -> f32 {
     if turns.abs() < 4_194_304.0 {
         // Next to 1.5 * 2^23 an f32 has no fraction.
         turns - (turns + 12_582_912.0 - 12_582_912.0)

@@ -3,6 +3,7 @@
 mod cie;
 mod fold;
 mod kernel;
+mod polarised;
 mod rows;
 
 pub use cie::{
@@ -10,6 +11,7 @@ pub use cie::{
     KM_SCOTOPIC, V_PHOTOPIC, V_SCOTOPIC,
 };
 pub use fold::Curve;
+pub use polarised::PolarisedObserver;
 pub use rows::{FineObserver, Observer};
 
 pub(crate) use kernel::{rows, sum};

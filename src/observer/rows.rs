@@ -2,6 +2,7 @@
 
 use crate::grid::{Bins, Grid, Layout, Nodes};
 use crate::observer::kernel;
+use crate::path::Path;
 use crate::spectrum::{Factor, Power, Quantity, Spectrum};
 use core::marker::PhantomData;
 
@@ -93,40 +94,6 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
         &self.0
     }
 
-    /// What this observer reports of a spectrum: for each channel the sum of weight times value.
-    ///
-    /// # Accuracy
-    /// 8 units of 2^-24 of the sum of the terms' sizes, and the same bits on every target.
-    ///
-    /// # Cost
-    /// `C * N` multiplications and additions; 16 bands to XYZ are 162 instructions on a Cortex-M4F (253 at opt-level "s").
-    #[must_use]
-    #[inline]
-    pub fn sees(&self, spectrum: &Spectrum<Q, N, G>) -> [f32; C] {
-        kernel::rows(&self.0, &spectrum.0)
-    }
-
-    /// What it reports of each spectrum of a batch; the same bits as [`sees`](Self::sees) one by one.
-    ///
-    /// The shorter of the two slices says how many.
-    pub fn sees_each(&self, spectra: &[Spectrum<Q, N, G>], reports: &mut [[f32; C]]) {
-        for (spectrum, report) in spectra.iter().zip(reports) {
-            *report = self.sees(spectrum);
-        }
-    }
-
-    /// This observer behind a filter, a window, a diffuser: a transmittance in its path.
-    #[must_use]
-    pub const fn through(&self, filter: &Spectrum<Factor, N, G>) -> Self {
-        Self::from_weights(self.times(filter.values()))
-    }
-
-    /// This observer turned to a surface: it then reads the light that falls there.
-    #[must_use]
-    pub const fn looking_at(&self, surface: &Spectrum<Factor, N, G>) -> Self {
-        self.through(surface)
-    }
-
     /// Every weight times `k`: from W to lm with [`KM`](crate::observer::KM), to another unit. Computes in f64:
     /// for `const` use, as [`mixed`](Self::mixed) and [`with_white_y`](Observer::with_white_y).
     #[must_use]
@@ -181,6 +148,48 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
         }
         sums
     }
+}
+
+impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
+    /// What this observer reports of a spectrum, or of light on its way along a [path](crate::path): for each
+    /// channel the sum of weight times value.
+    ///
+    /// # Accuracy
+    /// 8 units of 2^-24 of the sum of the terms' sizes, and the same bits on every target.
+    ///
+    /// # Cost
+    /// `C * N` multiplications and additions; 16 bands to XYZ are 162 instructions on a Cortex-M4F (253 at opt-level "s").
+    #[must_use]
+    #[inline]
+    pub fn sees<P: Path<Q, N, G>>(&self, path: P) -> [f32; C] {
+        path.read(|bins| kernel::rows(&self.0, bins))
+    }
+
+    /// What it reports of each spectrum of a batch; the same bits as [`sees`](Self::sees) one by one.
+    ///
+    /// The shorter of the two slices says how many.
+    pub fn sees_each(&self, spectra: &[Spectrum<Q, N, G>], reports: &mut [[f32; C]]) {
+        for (spectrum, report) in spectra.iter().zip(reports) {
+            *report = self.sees(spectrum);
+        }
+    }
+
+    /// This observer behind a filter, a window, a diffuser: a transmittance in its path.
+    #[must_use]
+    pub const fn through(&self, filter: &Spectrum<Factor, N, G>) -> Self {
+        Self::unchecked(self.times(&filter.0))
+    }
+
+    /// This observer turned to a surface: it then reads the light that falls there.
+    #[must_use]
+    pub const fn looking_at(&self, surface: &Spectrum<Factor, N, G>) -> Self {
+        self.through(surface)
+    }
+
+    /// From weights on a grid that is known to be one, or that is none.
+    pub(crate) const fn unchecked(weights: [[f32; N]; C]) -> Self {
+        Observer(weights, PhantomData)
+    }
 
     const fn times(&self, factors: &[f32; N]) -> [[f32; N]; C] {
         let mut weights = self.0;
@@ -197,13 +206,13 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
     }
 }
 
-impl<const C: usize, const N: usize, G: Grid> Observer<C, N, Power, G> {
+impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
     /// This observer in a room lit by `light`: it then reads reflectances.
     ///
     /// Only what reads power can be put under a light, so no light is applied twice.
     #[must_use]
     pub const fn under(&self, light: &Spectrum<Power, N, G>) -> Observer<C, N, Factor, G> {
-        Observer::from_weights(self.times(light.values()))
+        Observer::unchecked(self.times(&light.0))
     }
 }
 

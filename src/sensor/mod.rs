@@ -37,6 +37,7 @@ mod exposure;
 mod fit;
 pub mod fixed;
 mod flicker;
+mod linearity;
 mod meter;
 mod noise;
 pub mod nominal;
@@ -60,6 +61,7 @@ pub use fit::{Fit, FitError};
 pub use flicker::{
     Flicker, MAINS_FLICKER_HZ, MAINS_PERIODS_MS, amplitude_at, mean_over_periods, whole_periods_ms,
 };
+pub use linearity::{Bend, DeadTime};
 pub use meter::Meter;
 pub use noise::{CctUncertainty, Noise, Variances, XyzCovariance};
 pub use nonnegative::nonnegative_spectrum;

@@ -18,6 +18,11 @@ pub struct Power;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor;
 
+/// A refractive index, or the extinction coefficient beside it; relative to the medium light comes from. What
+/// [`Dielectric`](crate::matter::Dielectric) and [`Conductor`](crate::matter::Conductor) make reflectances from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Index;
+
 /// What a bin holds in all, and not for each nanometre: the counts of a spectrometer's pixels, which already
 /// sum up what falls on their width. Made by [`Wavelengths::rebinned`](crate::sensor::Wavelengths::rebinned).
 ///
@@ -28,9 +33,11 @@ pub struct PerBin;
 
 impl Quantity for Power {}
 impl Quantity for Factor {}
+impl Quantity for Index {}
 
 mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Power {}
     impl Sealed for super::Factor {}
+    impl Sealed for super::Index {}
 }

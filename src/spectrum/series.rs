@@ -61,6 +61,14 @@ impl<Q, const N: usize, G> defmt::Format for Spectrum<Q, N, G> {
     }
 }
 
+impl<Q, const N: usize, G> Spectrum<Q, N, G> {
+    /// On a grid that is known to be one, or that is none.
+    #[inline]
+    pub(crate) const fn unchecked(values: [f32; N]) -> Self {
+        Spectrum(values, PhantomData)
+    }
+}
+
 impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// Width of a bin, in nm.
     pub const WIDTH_NM: f32 = Layout::<G, N>::STEP;

@@ -7,7 +7,7 @@ section "Bits"
 same_bits() {
     local expected=$out/bits.expected
     case $1 in
-    $m0*) grep -v '^tm30 ' "$out/bits.host" >"$expected" ;;
+    $m0*) grep -Ev '^(scenes|tm30) ' "$out/bits.host" >"$expected" ;;
     *) cp "$out/bits.host" "$expected" ;;
     esac
     if diff -u --label "host" --label "$1" "$expected" "$2"; then
@@ -39,8 +39,8 @@ device_bits() {
     local target=$1 label="$*"
     shift
     can_run "$target" "$label" || return 0
-    firmware "$label" build --quiet --release --bin bits --target "$target" "$@" || return 0
-    boot "$label" "$CARGO_TARGET_DIR/$target/release/bits" "$out/bits.device" || return 0
+    firmware "$label" build --quiet --profile "$(profile_for "$target")" --bin bits --target "$target" "$@" || return 0
+    boot "$label" "$CARGO_TARGET_DIR/$target/$(profile_for "$target")/bits" "$out/bits.device" || return 0
     same_bits "$label" "$out/bits.device"
 }
 device_bits $m4f --features simd

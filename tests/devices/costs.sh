@@ -95,7 +95,7 @@ inside() {
 # Images that print "what number unit" (no unit: instructions), and those whose flash has a price. Colours to spectra
 # are counted where there is an FPU: elsewhere one colour takes more than the counter can hold.
 counting="count price price_whole"
-counting_with_fpu=upsample_count
+counting_with_fpu="upsample_count path_count path_folded"
 priced="fold16 counts_f32 counts_fixed upsample"
 
 # device_costs <target> <profile>
@@ -135,8 +135,39 @@ no_panic() {
 }
 for profile in release small; do
     no_panic $m4f $profile no_panic
+    no_panic $m4f $profile no_panic_light
     for target in $boards; do
         no_panic $target $profile no_panic_sensor
+    done
+done
+
+# A path of factors costs what the loop by hand costs, and brings nothing along of the effects that are not in it.
+effects='fluorescen|onaldson|polaris|Polaris|phosphor|Phosphor'
+for profile in release small; do
+    no_panic $m4f $profile path_plain
+    label="$m4f $profile: path_plain" images=$CARGO_TARGET_DIR/$m4f/$profile
+    if [[ -e $images/path_plain && -e $images/path_count ]] && have nm; then
+        lacks "$label" "$images/path_plain" "fluorescence or polarisation" "$effects"
+        nm "$images/path_count" | grep -E "$effects" >/dev/null || fail "$label: the search for effects is blind"
+    else
+        skip "$label: no look for effects, not built, or nm is not installed"
+    fi
+done
+for what in path-surface path-glass-surface; do
+    for row in "$m4f release" "$m4f small" "$m33 release" "$m33 small"; do
+        numbers=$(awk -v row="$row" -v what="$what" '
+            $1 " " $2 == row && $3 == what { path = $4 }
+            $1 " " $2 == row && $3 == what "-by-hand" { hand = $4 }
+            END { if (path && hand) print path, hand }' "$costs")
+        read -r path hand <<<"$numbers" || true
+        label="$row: $what takes ${path:-?} instructions, by hand ${hand:-?}"
+        if [[ -z $numbers ]]; then
+            skip "$label (not measured)"
+        elif ((path * 100 <= hand * 102 && hand * 100 <= path * 102)); then
+            pass "$label"
+        else
+            fail "$label"
+        fi
     done
 done
 

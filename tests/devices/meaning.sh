@@ -2,11 +2,11 @@
 
 section "Meaning"
 
-# on_target <label> [cargo arguments]
+# on_target <label> <profile> [cargo arguments]
 on_target() {
-    local label=$1
-    shift
-    if (cd "$root/examples/firmware" && cargo test --quiet --release --test on_target "$@") >"$out/on_target" 2>&1
+    local label=$1 profile=$2
+    shift 2
+    if (cd "$root/examples/firmware" && cargo test --quiet --profile "$profile" --test on_target "$@") >"$out/on_target" 2>&1
     then
         pass "$label: tests/on_target.rs, $(grep '^on_target:' "$out/on_target")"
     else
@@ -23,13 +23,13 @@ image() {
         { fail "$label: $name exits with code $?"; return 1; }
 }
 
-on_target "host"
+on_target "host" release
 if image "host" driver "$out/driver.host"; then
     pass "host: driver, $(cat "$out/driver.host")"
 fi
 for target in $boards; do
     can_run $target "$target, meaning" || continue
-    on_target $target --target $target
+    on_target $target "$(profile_for $target)" --target $target
     if image $target driver "$out/driver.$target" --target $target; then
         if diff "$out/driver.host" "$out/driver.$target"; then
             pass "$target: driver, as on the host"

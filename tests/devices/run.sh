@@ -28,6 +28,15 @@ can_run() {
     return 1
 }
 
+# profile_for <target>: how images with everything in them are built. At opt-level 3 the soft floats of all groups of
+# bits do not fit the 256 KB of the smallest part.
+profile_for() {
+    case $1 in
+    $m0) echo small ;;
+    *) echo release ;;
+    esac
+}
+
 # A failed install is not fatal: what needs it is skipped below, and says so.
 install() {
     local target sudo=

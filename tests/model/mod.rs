@@ -32,7 +32,13 @@ pub mod transfer;
 
 pub mod sensor;
 
+pub mod fresnel;
+pub mod geometry;
+pub mod surface;
+
 pub mod fine;
 pub mod fold;
+
+pub mod film;
 
 pub mod check;

@@ -12,6 +12,9 @@
 //! | `counts_fixed` | how many when it does so in integers? |
 //! | `upsample` | how many when it finds the spectrum of an RGB? |
 //! | `upsample_count` | how many instructions does that take? |
+//! | `path_count` | how many instructions does light take along a path? |
+//! | `path_folded` | how many when the path is folded into the eye? |
+//! | `path_plain` | does a path without effects bring any of them along? |
 //! | `no_panic`, `no_panic_sensor` | can any step panic? |
 //! | `sensor`     | what does an instrument look like, with a window and a log? |
 //! | `driver`     | how do a published driver and this crate go together? |
@@ -30,3 +33,4 @@ pub mod readings;
 #[cfg(target_os = "none")]
 pub mod stack;
 pub mod steps;
+pub mod vest;

@@ -1,0 +1,94 @@
+//! Prints the instructions that paths take from light to XYZ at 31 bands, one `name count` per line: a chain of
+//! factors beside the loop that a hand would write, a dye, a Donaldson matrix, two mirrors. All parts come from memory.
+#![no_std]
+#![no_main]
+
+use nanospectra::light::FL11;
+use nanospectra::matter::{Donaldson, Dye, Mirror};
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::{Light, Outside, Power, Reflectance};
+use nanospectra_firmware::clock::Clock;
+use nanospectra_firmware::vest::VEST;
+use semihosting::{println, process};
+
+static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
+/// What a path is made of.
+struct Parts {
+    sun: Light<31>,
+    glass: Reflectance<31>,
+    paper: Reflectance<31>,
+    vest: &'static Dye<31>,
+    matrix: Donaldson<31, 496>,
+    lake: Mirror<31>,
+}
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    let clock = Clock::start();
+    let parts = Parts {
+        sun: FL11.resample(Outside::Zero),
+        glass: Reflectance::flat(0.8),
+        paper: Reflectance::flat(0.5),
+        vest: &VEST,
+        matrix: Donaldson::of_reflectance(&Reflectance::flat(0.5)),
+        lake: Mirror::dielectric(&[1.33; 31], 0.6, 0.0),
+    };
+    count(&clock, "path-surface", surface, &parts);
+    count(&clock, "path-surface-by-hand", surface_by_hand, &parts);
+    count(&clock, "path-glass-surface", glass_surface, &parts);
+    count(&clock, "path-glass-surface-by-hand", glass_surface_by_hand, &parts);
+    count(&clock, "path-dye", dye, &parts);
+    count(&clock, "path-donaldson", donaldson, &parts);
+    count(&clock, "path-two-mirrors", two_mirrors, &parts);
+    process::exit(0)
+}
+
+fn count(clock: &Clock, name: &str, f: fn(&Parts, &mut [f32; 3]), parts: &Parts) {
+    println!("{name} {}", clock.count(f, parts, &mut [0.0; 3]));
+}
+
+#[inline(never)]
+fn surface(parts: &Parts, xyz: &mut [f32; 3]) {
+    *xyz = EYE.sees(parts.sun.onto(&parts.paper));
+}
+
+#[inline(never)]
+fn surface_by_hand(parts: &Parts, xyz: &mut [f32; 3]) {
+    let (sun, paper) = (parts.sun.values(), parts.paper.values());
+    let mut bins = Light::flat(0.0);
+    for (bin, (sun, paper)) in bins.values_mut().iter_mut().zip(sun.iter().zip(paper)) {
+        *bin = sun * paper;
+    }
+    *xyz = EYE.sees(&bins);
+}
+
+#[inline(never)]
+fn glass_surface(parts: &Parts, xyz: &mut [f32; 3]) {
+    *xyz = EYE.sees(parts.sun.through(&parts.glass).onto(&parts.paper));
+}
+
+#[inline(never)]
+fn glass_surface_by_hand(parts: &Parts, xyz: &mut [f32; 3]) {
+    let (sun, glass, paper) = (parts.sun.values(), parts.glass.values(), parts.paper.values());
+    let mut bins = Light::flat(0.0);
+    for (bin, ((sun, glass), paper)) in bins.values_mut().iter_mut().zip(sun.iter().zip(glass).zip(paper)) {
+        *bin = sun * glass * paper;
+    }
+    *xyz = EYE.sees(&bins);
+}
+
+#[inline(never)]
+fn dye(parts: &Parts, xyz: &mut [f32; 3]) {
+    *xyz = EYE.sees(parts.sun.onto(parts.vest));
+}
+
+#[inline(never)]
+fn donaldson(parts: &Parts, xyz: &mut [f32; 3]) {
+    *xyz = EYE.sees(parts.sun.onto(&parts.matrix));
+}
+
+#[inline(never)]
+fn two_mirrors(parts: &Parts, xyz: &mut [f32; 3]) {
+    *xyz = EYE.sees(parts.sun.polarised().onto(&parts.lake).onto(&parts.lake).ignoring_polarisation());
+}

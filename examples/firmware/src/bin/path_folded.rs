@@ -1,0 +1,28 @@
+//! Prints the instructions of a static scene with a fluorescent vest in it, folded into the eye: what a filter in
+//! the light of the lamp does to the vest's colour. An image of its own, as `price_whole`: nothing else here shares
+//! the sum.
+#![no_std]
+#![no_main]
+
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::{Power, Reflectance};
+use nanospectra_firmware::clock::Clock;
+use nanospectra_firmware::vest::{LAMP, VEST};
+use semihosting::{println, process};
+
+const EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Spline);
+static SCENE: Observer<3, 31> = EYE.looking_at_dye(&VEST).under(&LAMP);
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    let clock = Clock::start();
+    let filter = Reflectance::flat(0.8);
+    println!("path-vest-folded {}", clock.count(sees, &filter, &mut [0.0; 3]));
+    process::exit(0)
+}
+
+#[inline(never)]
+fn sees(filter: &Reflectance<31>, xyz: &mut [f32; 3]) {
+    *xyz = SCENE.sees(filter);
+}

@@ -1,0 +1,31 @@
+//! A lamp, a glass and a surface to XYZ, and no effect beyond: `tests/devices.sh` looks that nothing of fluorescence or
+//! polarisation is in this image. That it cannot panic is proved here, by linking.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::{Light, Power, Reflectance};
+
+static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Spline);
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    loop {
+        let sun = Light::<31>::from_bins(black_box([1.0; 31]));
+        let (glass, paper) =
+            (Reflectance::from_bins(black_box([0.8; 31])), Reflectance::flat(black_box(0.5)));
+        black_box(EYE.sees(sun.through(&glass).onto(&paper)));
+    }
+}
+
+unsafe extern "C" {
+    /// Defined nowhere: an image with a reachable panic does not link.
+    safe fn this_image_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    this_image_can_panic()
+}

@@ -1,0 +1,101 @@
+//! Light on its way: factors, fluorescence, afterglow, Stokes vectors, RGB; walked and folded.
+
+use super::hash::{Hash, Random};
+use nanospectra::color::{Rgb, Srgb};
+use nanospectra::matter::{Donaldson, Dye, Mirror, Phosphor, Polariser, Retarder};
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::path::RgbBands;
+use nanospectra::sensor::{Bend, DeadTime};
+use nanospectra::{Light, Power, Reflectance};
+
+/// Few bands: the smallest part has 16 KB for all of these.
+static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
+
+pub fn run(report: &mut impl FnMut(&str, u32)) {
+    report("fluorescence", fluorescence());
+    report("polarisation", polarisation());
+    report("rgb-paths", rgb());
+    report("linearity", linearity());
+}
+
+/// Random light and matter, by dye, by matrix, and with a memory.
+fn fluorescence() -> u32 {
+    let mut hash = Hash::new();
+    let mut random = Random(0x5eed_f100);
+    for _ in 0..16 {
+        let (light, paper) = (Light::from_bins(random.bins()), Reflectance::from_bins(random.bins()));
+        let half = |bins| Reflectance::<16>::from_bins(bins) * 0.4;
+        let emission = Light::from_bins(random.bins());
+        let Ok(dye) = Dye::new(&half(random.bins()), &half(random.bins()), &emission, 0.8) else {
+            hash.word(0);
+            continue;
+        };
+        hash.all(&EYE.sees(light.onto(&paper).onto(&dye).through(&paper)));
+        let folded = EYE.through(&paper).looking_at_dye(&dye).looking_at(&paper);
+        folded.weights().iter().for_each(|row| hash.all(row));
+        let matrix: Donaldson<16, 136> = Donaldson::of_dye(&dye);
+        hash.all(light.onto(&matrix).collected().values());
+        EYE.looking_at_donaldson(&matrix).weights().iter().for_each(|row| hash.all(row));
+        let coarse: Dye<9> = dye.resample();
+        hash.all(Light::<9>::from_bins(random.bins()).onto(&coarse).collected().values());
+        let mut phosphor = Phosphor::new(dye, 0.1 + random.unit());
+        for _ in 0..8 {
+            phosphor.step(&light, random.unit());
+            hash.one(phosphor.glow());
+            phosphor.step(&Light::flat(0.0), random.unit());
+            hash.all(&EYE.sees(light.onto(&paper).onto(&phosphor)));
+        }
+    }
+    hash.0
+}
+
+/// Mirrors on both sides of every angle that matters, polarisers, plates.
+fn polarisation() -> u32 {
+    let mut hash = Hash::new();
+    let mut random = Random(0x5eed_9010);
+    for _ in 0..32 {
+        let light = Light::from_bins(random.bins());
+        let eta = random.bins().map(|unit: f32| 0.5 + 2.0 * unit);
+        let lake = Mirror::dielectric(&eta, random.unit(), random.unit());
+        let [along, across] = [(); 2].map(|()| Reflectance::from_bins(random.bins()));
+        let sheet = Polariser::new(&along, &across, random.unit());
+        let plate = Retarder::of_path_difference(900.0 * random.unit(), random.unit());
+        let path = light.polarised().onto(&lake).through(&plate).through(&along).through(&sheet);
+        for k in 0..16 {
+            hash.all(&path.stokes_at(k));
+        }
+        hash.all(&EYE.sees(path.ignoring_polarisation()));
+        let behind = EYE.polarised().through_polariser(&sheet).through(&along).through_retarder(&plate);
+        hash.all(&behind.looking_at_mirror(&lake).unpolarised_light().sees(&light));
+        hash.all(lake.ignoring_polarisation().values());
+    }
+    hash.0
+}
+
+fn rgb() -> u32 {
+    static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::of_rgb();
+    let mut hash = Hash::new();
+    let mut random = Random(0x5eed_0369);
+    for _ in 0..64 {
+        let [[r, g, b], [s, h, c]]: [[f32; 3]; 2] = [(); 2].map(|()| random.bins());
+        let lamp = Light::<3, RgbBands<Srgb>>::from_rgb(Rgb::new(r, g, b));
+        let paint = Reflectance::from_rgb(Rgb::new(s, h, c));
+        hash.all(&EYE.sees(lamp.onto(&paint).through(&paint)));
+    }
+    hash.0
+}
+
+fn linearity() -> u32 {
+    let mut hash = Hash::new();
+    let mut random = Random(0x5eed_11ea);
+    let counter = DeadTime::new(1e-6);
+    for _ in 0..256 {
+        let rate = 2e6 * random.unit();
+        hash.one(counter.counted(rate));
+        hash.one(counter.arrived(rate).unwrap_or(-1.0));
+        if let Some(bend) = Bend::new([0.6 * random.unit() - 0.4, 0.2 * random.unit()]) {
+            hash.one(bend.signal(random.unit()).unwrap_or(-1.0));
+        }
+    }
+    hash.0
+}

@@ -1,0 +1,52 @@
+//! Paths chosen at run time: walked, folded, and within a budget.
+
+use super::hash::{Hash, Random};
+use nanospectra::matter::{Donaldson, Dye, Mirror, Polariser, Retarder};
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::path::{Part, Scene};
+use nanospectra::{Light, Power, Reflectance};
+
+/// Few bands, as for the other paths.
+static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
+
+pub fn run(report: &mut impl FnMut(&str, u32)) {
+    report("scenes", scenes());
+}
+
+/// Up to six random parts of random kinds.
+fn scenes() -> u32 {
+    let mut hash = Hash::new();
+    let mut random = Random(0x5eed_5ce0);
+    for _ in 0..16 {
+        let light = Light::from_bins(random.bins());
+        let half = |bins| Reflectance::<16>::from_bins(bins) * 0.4;
+        let (glass, emission) = (Reflectance::from_bins(random.bins()), Light::from_bins(random.bins()));
+        let Ok(dye) = Dye::new(&half(random.bins()), &half(random.bins()), &emission, 0.8) else {
+            hash.word(0);
+            continue;
+        };
+        let matrix: Donaldson<16, 136> = Donaldson::of_dye(&dye);
+        let lake = Mirror::dielectric(&[1.0 + random.unit(); 16], random.unit(), random.unit());
+        let (sheet, plate) = (Polariser::ideal(random.unit()), Retarder::flat(random.unit(), random.unit()));
+        let mut scene: Scene<16, 6> = Scene::new();
+        for _ in 0..6 {
+            let part = match (7.0 * random.unit()) as u32 {
+                0 => Part::Filter(&glass),
+                1 => Part::Surface(&glass),
+                2 => Part::from(&dye),
+                3 => Part::from(&matrix),
+                4 => Part::from(&lake),
+                5 => Part::from(&sheet),
+                _ => Part::from(&plate),
+            };
+            hash.word(u32::from(scene.push(part).is_ok()));
+        }
+        hash.all(scene.leaving_polarised(&light).values());
+        scene.fold_polarised(&EYE).weights().iter().for_each(|row| hash.all(row));
+        let found = scene.within_budget(&EYE, &light, 20.0 * random.unit());
+        hash.one(found.delta_e);
+        found.scene.left_out().for_each(|part| hash.word(part as u32));
+        hash.all(found.scene.leaving_polarised(&light).values());
+    }
+    hash.0
+}

@@ -1,0 +1,239 @@
+//! Stacks of layers, absorbing ones too: mirrors of many films, metal on glass, oxide on silicon.
+
+use super::complex::Complex;
+use super::thin_film::held;
+use crate::grid::Grid;
+#[cfg(feature = "libm")]
+use crate::math::Portable;
+use crate::math::{Double, Math};
+use crate::matter::Shares;
+use crate::matter::shares::bins;
+use crate::spectrum::{Factor, Spectrum};
+
+/// A medium at one wavelength: its complex index of refraction n + ik, where k >= 0 absorbs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Medium {
+    /// Index of refraction, 1e-3..=1e3.
+    pub n: f32,
+    /// Extinction coefficient, 0..=1e3: power falls by exp(-4 pi k d / lambda).
+    pub k: f32,
+}
+
+/// A layer: what it is made of, and how thick it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Layer {
+    /// Its medium.
+    pub medium: Medium,
+    /// Its thickness, in nm, 0..=1e12.
+    pub thickness_nm: f32,
+}
+
+/// `L` layers on a substrate, as one wavelength meets them; what disperses makes one for each wavelength.
+///
+/// Coherent throughout: a substrate of millimetres belongs behind the stack (as `substrate`) or into a filter of
+/// its own, not among the layers.
+///
+/// ```
+/// # #[cfg(feature = "libm")] {
+/// use nanospectra::matter::{Layer, Medium, Shares, Stack};
+/// // A quarter of a wave of SiO2 on silicon, for red light: nearly none of it comes back.
+/// let oxide = Layer { medium: Medium { n: 1.457, k: 0.0 }, thickness_nm: 109.0 };
+/// let wafer = Stack { incident: 1.0, layers: [oxide], substrate: Medium { n: 3.88, k: 0.02 } };
+/// let shares = Shares::mean(wafer.at(633.0, 1.0));
+/// assert!(shares.reflected < 0.09 && shares.transmitted > 0.9);
+/// # }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stack<const L: usize> {
+    /// Index of refraction of the medium that the light comes from, which does not absorb: 1e-3..=1e3.
+    pub incident: f32,
+    /// The layers, in the order in which light meets them.
+    pub layers: [Layer; L],
+    /// What lies behind the last layer, without end. What enters it counts as transmitted.
+    pub substrate: Medium,
+}
+
+impl Medium {
+    fn is_some(self) -> bool {
+        (1e-3..=1e3).contains(&self.n) && (0.0..=1e3).contains(&self.k)
+    }
+
+    fn square(self) -> Complex {
+        Complex::new((self.n - self.k) * (self.n + self.k), 2.0 * self.n * self.k)
+    }
+}
+
+impl<const L: usize> Stack<L> {
+    /// What becomes of light of one wavelength: s and p polarised. NaN where an index or a thickness is out of its
+    /// range.
+    ///
+    /// `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
+    ///
+    /// # Accuracy
+    /// 5e-6 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05; thicker ones add some 1e-7 for each turn of phase but
+    /// at normal incidence, and resonances as sharp as 1 / 1000 of a fringe magnify it. Layers of any thickness may
+    /// absorb: nothing overflows.
+    ///
+    /// # Cost
+    /// Two exponentials, a sine and a cosine for each layer.
+    ///
+    /// # Reference
+    /// The characteristic matrix: Born and Wolf, Principles of Optics, 1.6.
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn at(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+        self.at_with::<Portable>(nm, cos_theta)
+    }
+
+    /// [`at`](Self::at) on another maths backend.
+    #[must_use]
+    pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+        let media = Medium { n: self.incident, k: 0.0 }.is_some() && self.substrate.is_some();
+        let layers = self
+            .layers
+            .iter()
+            .all(|layer| layer.medium.is_some() && (0.0..=1e12).contains(&layer.thickness_nm));
+        if !(media && layers && (1.0..=1e9).contains(&nm)) || cos_theta.is_nan() {
+            return [Shares::NAN; 2];
+        }
+        let cos = held(cos_theta);
+        let first = self.incident * cos;
+        let across = self.incident * self.incident * (1.0 - cos) * (1.0 + cos);
+        let last = tilted(self.substrate, self.incident, first, across);
+        // Fields per polarisation (s: electric and magnetic; p: the other way round), from the last face upwards.
+        let mut waves = [last, last * self.substrate.square().inverse()]
+            .map(|end| Wave { fields: [ONE, end], arriving: end.re });
+        for layer in self.layers.iter().rev() {
+            let tilted = tilted(layer.medium, self.incident, first, across);
+            let crossing = Crossing::of::<M>(tilted, layer.thickness_nm, nm);
+            for (wave, per_index) in waves.iter_mut().zip([ONE, layer.medium.square()]) {
+                wave.rise(&crossing, tilted, per_index);
+            }
+        }
+        let [s, p] = waves;
+        [s.shares(first), p.shares(cos / self.incident)]
+    }
+}
+
+const ONE: Complex = Complex::new(1.0, 0.0);
+
+/// The two tangential fields at a face, up to a factor.
+struct Wave {
+    fields: [Complex; 2],
+    /// The power that arrives in the substrate, in the units of `fields`.
+    arriving: f32,
+}
+
+impl Wave {
+    /// Takes the fields from below a layer to above it.
+    fn rise(&mut self, crossing: &Crossing, tilted: Complex, per_index: Complex) {
+        const MINUS_I: Complex = Complex::new(0.0, -1.0);
+        let Crossing { cos, sin_over, weakened } = *crossing;
+        let [one, other] = self.fields;
+        let rises = [
+            cos * one + MINUS_I * sin_over * per_index * other,
+            cos * other + MINUS_I * sin_over * tilted * tilted * per_index.inverse() * one,
+        ];
+        // Only ratios count: many layers neither overflow nor vanish.
+        let size = rises.iter().fold(0.0, |size: f32, field| size.max(field.re.abs()).max(field.im.abs()));
+        self.fields = rises.map(|field| field.times(1.0 / size));
+        self.arriving *= weakened / size / size;
+    }
+
+    /// What comes of light from a medium of this admittance.
+    fn shares(&self, first: f32) -> Shares {
+        let [one, other] = self.fields;
+        let all = (one.times(first) + other).power();
+        if all == 0.0 {
+            // Grazing along a face that is none.
+            return Shares::NOTHING;
+        }
+        let entering = 4.0 * first * (one.re * other.re + one.im * other.im) / all;
+        let transmitted = 4.0 * first * self.arriving / all;
+        let reflected = (one.times(first) - other).power() / all;
+        Shares { reflected, transmitted, absorbed: entering - transmitted }.held()
+    }
+}
+
+/// n cos(theta) in a medium.
+fn tilted(medium: Medium, incident: f32, first: f32, across: f32) -> Complex {
+    let Medium { n, k } = medium;
+    if k == 0.0 {
+        // Near the first medium's index the difference of the indices counts, not that of their squares.
+        return Complex::new((n - incident) * (n + incident) + first * first, 0.0).sqrt();
+    }
+    Complex::new((n - k) * (n + k) - across, 2.0 * n * k).sqrt()
+}
+
+/// Cosine of the complex phase of one crossing, and its sine over n cos(theta); both weakened as the wave is.
+#[derive(Clone, Copy)]
+struct Crossing {
+    cos: Complex,
+    sin_over: Complex,
+    /// What the power of the wave is weakened by.
+    weakened: f32,
+}
+
+impl Crossing {
+    fn of<M: Math>(tilted: Complex, thickness_nm: f32, nm: f32) -> Self {
+        const TAU: f32 = core::f32::consts::TAU;
+        let turns = Double::product(tilted.re, thickness_nm).over(nm).fraction();
+        let (sin, cos) = (M::sin_turns(turns), M::cos_turns(turns));
+        let length = TAU * (thickness_nm / nm);
+        // exp(-2 kappa), which no thickness makes overflow, stands in for cosh and sinh.
+        let lost = -M::expm1(-2.0 * tilted.im * length);
+        let (sum, difference) = (1.0 - 0.5 * lost, 0.5 * lost);
+        let sine = Complex::new(sin * sum, cos * difference);
+        let sin_over =
+            if tilted.power() == 0.0 { Complex::new(length, 0.0) } else { sine * tilted.inverse() };
+        Crossing {
+            cos: Complex::new(cos * sum, -sin * difference),
+            sin_over,
+            weakened: M::exp(-2.0 * tilted.im * length),
+        }
+    }
+}
+
+/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarised light, of stacks that may change
+/// with the wavelength in nm, which is what `stack` is given.
+///
+/// `cos_theta` as in [`Stack::at`]. Each bin is read in `panels` pieces of three points: ten for each fringe in a bin
+/// hold the mean to some 1e-6, and nothing less than one for each fringe makes sense.
+///
+/// ```
+/// use nanospectra::matter::{Layer, Medium, Stack, stack_bins};
+/// use nanospectra::{Bins, Spectrum};
+/// let wafer = |nm: f32| Stack {
+///     incident: 1.0,
+///     layers: [Layer { medium: Medium { n: 1.448 + 3500.0 / (nm * nm), k: 0.0 }, thickness_nm: 300.0 }],
+///     substrate: Medium { n: 3.9, k: 0.02 },
+/// };
+/// let [s, p] = stack_bins::<1, 31, Bins<380, 730>>(wafer, 1.0, 1, |shares| shares.reflected);
+/// assert!((s.values()[15] - p.values()[15]).abs() < 1e-6);
+/// ```
+#[cfg(feature = "libm")]
+#[must_use]
+pub fn stack_bins<const L: usize, const N: usize, G: Grid>(
+    stack: impl Fn(f32) -> Stack<L>,
+    cos_theta: f32,
+    panels: u16,
+    share: impl Fn(Shares) -> f32,
+) -> [Spectrum<Factor, N, G>; 2] {
+    stack_bins_with::<Portable, L, N, G>(stack, cos_theta, panels, share)
+}
+
+/// [`stack_bins`] on another maths backend.
+#[must_use]
+pub fn stack_bins_with<M: Math, const L: usize, const N: usize, G: Grid>(
+    stack: impl Fn(f32) -> Stack<L>,
+    cos_theta: f32,
+    panels: u16,
+    share: impl Fn(Shares) -> f32,
+) -> [Spectrum<Factor, N, G>; 2] {
+    bins(|low_nm, high_nm| {
+        let panels = u32::from(panels.max(1));
+        Shares::averaged(low_nm, high_nm, panels, |nm| stack(nm).at_with::<M>(nm, cos_theta)).map(&share)
+    })
+}

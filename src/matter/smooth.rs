@@ -1,0 +1,46 @@
+//! Mirrors: smooth boundaries as surfaces.
+
+use crate::matter::brdf::Brdf;
+use crate::matter::reflector::Reflector;
+use crate::matter::scattering::Quadrature;
+use crate::radiometry::{Direction, Integrand};
+
+/// A smooth surface: a mirror of metal, the face of a glass.
+///
+/// All it reflects goes in one direction, so its BRDF is 0 everywhere else and integrals go by [`Specular`].
+///
+/// ```
+/// # use nanospectra::matter::{Dielectric, Smooth, Specular, scattering::scattered};
+/// # use nanospectra::radiometry::Direction;
+/// // A lamp of radiance 100 mirrored in a window at 60 degrees.
+/// let wo = Direction::spherical(1.047_197_6, 0.0);
+/// let lo = scattered(&Smooth(Dielectric::new(1.5)), wo, &Specular, |wi| if wi.x() < 0.0 { 100.0 } else { 0.0 });
+/// assert!((lo - 8.919).abs() < 1e-3);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Smooth<F>(pub F);
+
+/// The rule for [`Smooth`]: the one direction of mirrors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Specular;
+
+impl<F: Reflector> Brdf for Smooth<F> {
+    type Value = F::Value;
+
+    fn f(&self, wo: Direction, wi: Direction) -> F::Value {
+        F::Value::ZERO * (wo.cos_theta() * wi.cos_theta())
+    }
+}
+
+impl<F: Reflector> Quadrature<Smooth<F>> for Specular {
+    fn arriving(&self, brdf: &Smooth<F>, wo: Direction, mut visit: impl FnMut(Direction, F::Value)) {
+        if wo.cos_theta() <= 0.0 {
+            return;
+        }
+        visit(wo.mirrored(), brdf.0.reflectance(wo.cos_theta()));
+    }
+
+    fn leaving(&self, brdf: &Smooth<F>, wi: Direction, visit: impl FnMut(Direction, F::Value)) {
+        self.arriving(brdf, wi, visit);
+    }
+}

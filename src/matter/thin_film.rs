@@ -1,0 +1,226 @@
+//! A transparent layer thin enough for colours: soap, oil on water, the coating of a lens.
+
+use super::airy::{Edge, Tilted};
+use crate::grid::Grid;
+#[cfg(feature = "libm")]
+use crate::math::Portable;
+use crate::math::{Double, Math};
+use crate::matter::Shares;
+use crate::matter::shares::bins;
+use crate::spectrum::{Factor, Spectrum};
+
+/// The indices of refraction around and in a film: three constants, or a function of the wavelength in nm.
+pub trait FilmIndices {
+    /// Of the medium the light comes from, of the film, and of what lies behind it, at `nm`.
+    fn at(&self, nm: f32) -> [f32; 3];
+}
+
+impl FilmIndices for [f32; 3] {
+    fn at(&self, _nm: f32) -> [f32; 3] {
+        *self
+    }
+}
+
+impl<F: Fn(f32) -> [f32; 3]> FilmIndices for F {
+    fn at(&self, nm: f32) -> [f32; 3] {
+        self(nm)
+    }
+}
+
+/// One layer that does not absorb, between two media that do not: Airy's formula, all beams included.
+///
+/// What a bin of a spectrum gets is the mean over the bin. A point at its centre is another thing as soon as
+/// fringes are as narrow as bins: of a film of 1 mm, 31 points show one of thousands of fringes each, and a colour
+/// that is not there.
+///
+/// ```
+/// # #[cfg(feature = "libm")] {
+/// use nanospectra::matter::ThinFilm;
+/// // A quarter of a wave of MgF2 on a lens: 4.3 % reflected become 1.26 %.
+/// let coating = ThinFilm::new([1.0, 1.38, 1.52], 550.0 / (4.0 * 1.38));
+/// let [s, p] = coating.at(550.0, 1.0);
+/// assert!((s.reflected - 0.01260).abs() < 1e-5 && (p.reflected - 0.01260).abs() < 1e-5);
+/// // A soap film about to burst is black.
+/// let [s, _] = ThinFilm::new([1.0, 1.33, 1.0], 5.0).at(550.0, 1.0);
+/// assert!(s.reflected < 0.002);
+/// # }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThinFilm<I = [f32; 3]> {
+    indices: I,
+    thickness_nm: f32,
+}
+
+/// From here on the number of turns says nothing about their fraction.
+const MANY_TURNS: f32 = 1e12;
+
+impl<I: FilmIndices> ThinFilm<I> {
+    /// A film of `thickness_nm` >= 0 and the indices before, in and behind it, each 1e-3..=1e3: three numbers, or
+    /// a function of the wavelength (`|nm| [1.0, 1.324 + 3046.0 / (nm * nm), 1.0]`).
+    ///
+    /// What is outside these ranges is no film: all it gives is NaN. An infinite thickness is a plate without
+    /// interference.
+    pub const fn new(indices: I, thickness_nm: f32) -> Self {
+        ThinFilm { indices, thickness_nm }
+    }
+
+    /// What becomes of light of one wavelength: s and p polarised.
+    ///
+    /// `nm`, above 0 and up to 1e9, is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
+    ///
+    /// # Accuracy
+    /// 8 units of 2^-24, relative, for the faintest film; 2e-6 absolute for indices of 1 to 4 and cosines from 0.05,
+    /// the phase being kept to 48 bits, for a film of 10 cm too.
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn at(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+        self.at_with::<Portable>(nm, cos_theta)
+    }
+
+    /// [`at`](Self::at) on another maths backend.
+    #[must_use]
+    pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+        let Some(tilted) = self.tilted(nm, cos_theta) else { return [Shares::NAN; 2] };
+        let Some(faces) = tilted.faces() else { return [Shares::MIRROR; 2] };
+        if self.is_plate(&tilted, nm) {
+            return faces.map(|face| face.incoherent());
+        }
+        let crossing = tilted.crossing::<M>(self.turns(&tilted, nm), nm, self.thickness_nm);
+        faces.map(|face| face.coherent(tilted.fades, crossing))
+    }
+
+    /// By how much a beam that went to and fro in the film lags behind the one before: the fraction of a turn,
+    /// -1/2..=1/2, of 2 n d cos(theta1) / lambda. NaN where no light travels in the film.
+    ///
+    /// # Accuracy
+    /// 2e-7 turns, for a film of 10 cm as for one of 100 nm.
+    #[must_use]
+    pub fn phase_turns(&self, nm: f32, cos_theta: f32) -> f32 {
+        match self.tilted(nm, cos_theta) {
+            Some(tilted) if !tilted.fades => self.turns(&tilted, nm).fraction(),
+            _ => f32::NAN,
+        }
+    }
+
+    /// Reflectance for unpolarised light, bin by bin: the mean over each bin.
+    ///
+    /// `cos_theta` is the cosine of the angle of incidence, held within 0..=1.
+    ///
+    /// # Accuracy
+    /// Of the mean over a bin, absolute, for films of 1 nm to 0.1 mm in bins of 1 to 22 nm: 3e-6 for soap and for
+    /// coated lenses, 1.3e-5 for n = 2.4 on glass, 2.2e-5 at grazing angles and for an air gap in silicon, where
+    /// faces reflect 36 %. A soap film of 1 mm has its colour within 0.02 CIEDE2000 in 16, 31 or 60 bins (points at
+    /// their centres: 2 to 20), one of 20 um within 0.6, 0.2 and 0.14.
+    ///
+    /// # Cost
+    /// Films of few fringes are read at three points in each bin; more where the phase runs through more than a
+    /// part of a fringe, up to 768 if the faces reflect nearly all. From a fringe and a quarter in a bin on, the
+    /// fringes are integrated: what two ends cost, whatever the thickness.
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn reflectance<const N: usize, G: Grid>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
+        let [s, p] = self.reflectances::<N, G>(cos_theta);
+        (s + p) * 0.5
+    }
+
+    /// Transmittance for unpolarised light, bin by bin; as [`reflectance`](Self::reflectance).
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn transmittance<const N: usize, G: Grid>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
+        let [s, p] = self.transmittances::<N, G>(cos_theta);
+        (s + p) * 0.5
+    }
+
+    /// Reflectance for s and for p polarised light; as [`reflectance`](Self::reflectance).
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn reflectances<const N: usize, G: Grid>(&self, cos_theta: f32) -> [Spectrum<Factor, N, G>; 2] {
+        self.bins_with::<Portable, N, G>(cos_theta, |shares| shares.reflected)
+    }
+
+    /// Transmittance for s and for p polarised light; as [`reflectance`](Self::reflectance).
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn transmittances<const N: usize, G: Grid>(&self, cos_theta: f32) -> [Spectrum<Factor, N, G>; 2] {
+        self.bins_with::<Portable, N, G>(cos_theta, |shares| shares.transmitted)
+    }
+
+    /// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarised light, on any maths backend.
+    #[must_use]
+    pub fn bins_with<M: Math, const N: usize, G: Grid>(
+        &self,
+        cos_theta: f32,
+        share: impl Fn(Shares) -> f32,
+    ) -> [Spectrum<Factor, N, G>; 2] {
+        bins(|low_nm, high_nm| self.between_with::<M>(low_nm, high_nm, cos_theta).map(&share))
+    }
+
+    /// The mean over the wavelengths from `low_nm` to `high_nm`, each the same share: s and p polarised.
+    ///
+    /// Where it has many fringes their integral over the phase is taken in closed form (the sum over all beams is
+    /// an arc tangent) and the phase's change of pace by its next order.
+    #[must_use]
+    pub fn between_with<M: Math>(&self, low_nm: f32, high_nm: f32, cos_theta: f32) -> [Shares; 2] {
+        let width = high_nm - low_nm;
+        let (Some(low), Some(middle), Some(high)) = (
+            self.tilted(low_nm, cos_theta),
+            self.tilted(0.5 * (low_nm + high_nm), cos_theta),
+            self.tilted(high_nm, cos_theta),
+        ) else {
+            return [Shares::NAN; 2];
+        };
+        let mut panels = 1;
+        if let Some(faces) = middle.faces()
+            && cos_theta > 0.0
+            && !(low.fades || middle.fades || high.fades)
+        {
+            if self.is_plate(&low, low_nm) {
+                return faces.map(|face| face.incoherent());
+            }
+            let [from, to] = [(&low, low_nm), (&high, high_nm)].map(|(tilted, nm)| self.turns(tilted, nm));
+            // Half the range of the phase, in radians.
+            let reach = core::f32::consts::PI * from.minus(to).high.abs();
+            // A film whose index varies has other fringes: d(n cos) / d lambda.
+            let drift = (high.film.high - low.film.high) / width;
+            let slope = |turns: Double, nm: f32| (turns.high - 2.0 * self.thickness_nm * drift) / nm;
+            let (steep, flat) = (slope(from, low_nm), slope(to, high_nm));
+            if reach > FEW_FRINGES && steep > 0.0 && flat > 0.0 {
+                let edges = [
+                    Edge { nm: low_nm, turns: from, slope: steep },
+                    Edge { nm: high_nm, turns: to, slope: flat },
+                ];
+                return faces.map(|face| face.averaged::<M>(&edges, width));
+            }
+            let sharpest = faces.iter().fold(1.0, |least: f32, face| least.min(face.round_trip()[1]));
+            panels += ((4.0 * reach / sharpest) as u32).min(255);
+        }
+        Shares::averaged(low_nm, high_nm, panels, |nm| self.at_with::<M>(nm, cos_theta))
+    }
+
+    fn tilted(&self, nm: f32, cos_theta: f32) -> Option<Tilted> {
+        let n = self.indices.at(nm);
+        let is_film = n.iter().all(|n| (1e-3..=1e3).contains(n))
+            && self.thickness_nm >= 0.0
+            && (0.0..=1e9).contains(&nm);
+        (is_film && !cos_theta.is_nan()).then(|| Tilted::new(n, held(cos_theta)))
+    }
+
+    /// So thick that no fringe can be told from the next; also where the phase itself would overflow.
+    fn is_plate(&self, tilted: &Tilted, nm: f32) -> bool {
+        !tilted.fades && 2.0 * self.thickness_nm * (tilted.film.high / nm) > MANY_TURNS
+    }
+
+    /// Turns of phase of a round trip.
+    fn turns(&self, tilted: &Tilted, nm: f32) -> Double {
+        tilted.film.times(Double::new(2.0 * self.thickness_nm)).over(nm)
+    }
+}
+
+/// A cosine of incidence within 0..=1, and 0 where its square would be lost.
+pub(super) fn held(cos_theta: f32) -> f32 {
+    let cos = cos_theta.clamp(0.0, 1.0);
+    if cos < 1e-8 { 0.0 } else { cos }
+}
+
+/// Half the range of the phase, in radians, beyond which the mean over a bin comes from its two ends.
+const FEW_FRINGES: f32 = 4.0;

@@ -1,0 +1,64 @@
+//! What light can meet, and what leaves it.
+
+use crate::path::{Path, Plain, Times};
+use crate::spectrum::{Factor, Spectrum};
+
+/// What light can fall on: a surface that sends some of it back.
+///
+/// A reflectance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
+/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Phosphor`](crate::matter::Phosphor), a
+/// [`Mirror`](crate::matter::Mirror); or a type of your own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no surface that `{L}` can fall on",
+    label = "no surface for this light",
+    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarised()`, on `&Mirror`",
+    note = "it goes through `&Polariser` and `&Retarder`: `.through(..)`",
+    note = "what is `Power` is light itself: it is applied once, as the start of the path"
+)]
+pub trait Surface<L> {
+    /// The light that leaves it.
+    type Leaving;
+
+    /// What leaves the surface when `light` falls on it.
+    fn reflect(self, light: L) -> Self::Leaving;
+}
+
+/// What light can go through.
+///
+/// A transmittance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
+/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Polariser`](crate::matter::Polariser), a
+/// [`Retarder`](crate::matter::Retarder); or a type of your own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no filter that `{L}` can go through",
+    label = "no filter for this light",
+    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, and, once `.polarised()`, \
+            through `&Polariser` and `&Retarder`",
+    note = "it falls on `&Mirror` and `&Phosphor`: `.onto(..)`",
+    note = "what a dye leaves of polarisation is not known: `.ignoring_polarisation()` before `.through(&dye)`",
+    note = "what is `Power` is light itself: it is applied once, as the start of the path"
+)]
+pub trait Filter<L> {
+    /// The light that comes out.
+    type Leaving;
+
+    /// What comes out when `light` goes in.
+    fn transmit(self, light: L) -> Self::Leaving;
+}
+
+impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+    type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
+
+    #[inline]
+    fn reflect(self, light: Plain<Q, P>) -> Self::Leaving {
+        Plain::new(Times::new(light.into_inner(), self))
+    }
+}
+
+impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+    type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
+
+    #[inline]
+    fn transmit(self, light: Plain<Q, P>) -> Self::Leaving {
+        Plain::new(Times::new(light.into_inner(), self))
+    }
+}

@@ -1,0 +1,146 @@
+//! The light's path: lamp, filters, surfaces, and what an eye makes of them, written in that order.
+//!
+//! ```
+//! use nanospectra::observer::CIE_1931;
+//! use nanospectra::{Curve, Light, Observer, Power, Reflectance};
+//!
+//! static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
+//! let (sun, glass, paper) = (Light::flat(1.0), Reflectance::flat(0.5), Reflectance::flat(0.8));
+//! let xyz = EYE.sees(sun.through(&glass).onto(&paper));
+//! // Half of the light gets through the glass and 80 % of that comes back from the paper.
+//! assert!((xyz[1] - 0.4 * EYE.sees(&sun)[1]).abs() < 1e-4);
+//! ```
+//!
+//! The stages are references: a path is as long as they are, and one pass over the bins evaluates it. What light
+//! carries, and what happens to it, are types, so an effect that is not written costs nothing:
+//!
+//! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
+//!   it; a [`Dye`](crate::matter::Dye) or a [`Donaldson`](crate::matter::Donaldson) matrix makes it fluoresce.
+//! * [`Stokes`] light, from `polarised()` on, has four, which [`Mirror`](crate::matter::Mirror)s,
+//!   [`Polariser`](crate::matter::Polariser)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
+//!   it plain again; so does `ignoring_polarisation()`, for an eye or by choice.
+//! * With [`RgbBands`] for a grid there are three bands: cheap, and off by what [`RgbBands`] says.
+//! * A [`Scene`] is a path chosen at run time: its parts are an enum, and it says what they cost and which of them
+//!   hardly show.
+//!
+//! A path knows its price while compiling ([`Priced`]). One that stays folds into the eye, from the eye backwards, in
+//! `const fn`, fluorescence and polarisation included:
+//!
+//! ```
+//! use nanospectra::matter::{Dye, Mirror, Polariser};
+//! use nanospectra::{Bins, Light, Observer, Power, Reflectance};
+//!
+//! type Grid = Bins<400, 700>;
+//! const EYE: Observer<1, 3, Power, Grid> = Observer::from_rows([[0.1, 0.8, 0.3]]);
+//! const LAMP: Light<3, Grid> = Light::from_bins([1.0, 0.6, 0.4]);
+//! static SHEET: Polariser<3, Grid> = Polariser::ideal(0.0);
+//! static LAKE: Mirror<3, Grid> = Mirror::dielectric(&[1.33; 3], 0.6, 0.0);
+//! static VEST: Dye<3, Grid> = match Dye::new(
+//!     &Reflectance::from_bins([0.1, 0.8, 0.8]),
+//!     &Reflectance::from_bins([0.8, 0.0, 0.0]),
+//!     &Light::from_bins([0.0, 1.0, 0.0]),
+//!     0.9,
+//! ) {
+//!     Ok(vest) => vest,
+//!     Err(_) => panic!("no such dye"),
+//! };
+//! // The vest, seen in the lake through the sheet, under the lamp with something before it.
+//! static FOLDED: Observer<1, 3, Power, Grid> = EYE
+//!     .polarised()
+//!     .through_polariser(&SHEET)
+//!     .looking_at_mirror(&LAKE)
+//!     .unpolarised_light()
+//!     .looking_at_dye(&VEST);
+//!
+//! let [folded] = FOLDED.sees(&LAMP);
+//! let path = LAMP.onto(&VEST).polarised().onto(&LAKE).through(&SHEET).ignoring_polarisation();
+//! let [walked] = EYE.sees(path);
+//! assert!((folded - walked).abs() < 4e-7 * walked);
+//! ```
+//!
+//! # What does not compile
+//!
+//! The messages say what to write instead. A mirror, a polariser or a retarder in light whose polarisation is not
+//! followed:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::{Light, matter::Mirror};
+//! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarised().onto(lake)
+//! ```
+//!
+//! Polarised light before an eye, which reads its intensity:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::{Light, Observer, Power};
+//! fn seen(eye: &Observer<3, 31, Power>, sun: &Light<31>) { eye.sees(sun.polarised()); } // .ignoring_polarisation()
+//! ```
+//!
+//! Polarised light through a dye, whose numbers do not say what becomes of the polarisation:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::{Light, matter::Dye, matter::Polariser};
+//! fn seen(sun: &Light<31>, sheet: &Polariser<31>, wine: &Dye<31>) {
+//!     let _ = sun.polarised().through(sheet).through(wine); // .ignoring_polarisation().through(wine)
+//! }
+//! ```
+//!
+//! Fluorescent matter before an eye that has the light folded in, seen or folded in itself:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::{Observer, matter::Dye};
+//! fn seen(eye: &Observer<3, 31>, vest: &Dye<31>) { eye.sees(vest); } // eye.looking_at_dye(vest).under(&lamp)
+//! ```
+//! ```compile_fail,E0277
+//! # use nanospectra::{Reflectance, matter::Dye};
+//! fn seen(filter: &Reflectance<31>, vest: &Dye<31>) { let _ = filter.onto(vest); }
+//! ```
+//! ```compile_fail,E0599
+//! # use nanospectra::{Light, Observer, Power, matter::Dye};
+//! fn seen(eye: &Observer<3, 31, Power>, lamp: &Light<31>, vest: &Dye<31>) {
+//!     eye.under(lamp).looking_at_dye(vest);
+//! }
+//! ```
+//!
+//! Matter on another grid:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::{Bins, Light, Reflectance};
+//! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) { let _ = sun.through(glass); } // resample()
+//! ```
+//!
+//! Light where matter should be, and a light applied twice:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::Light;
+//! fn seen(sun: &Light<31>, lamp: &Light<31>) { let _ = sun.onto(lamp); }
+//! ```
+//! ```compile_fail,E0277
+//! # use nanospectra::{Light, Observer, Reflectance};
+//! fn seen(eye: &Observer<3, 31>, sun: &Light<31>, paper: &Reflectance<31>) { eye.sees(sun.onto(paper)); }
+//! ```
+//!
+//! In a [`Scene`], a spectrum that does not say whether it is a filter or a surface:
+//!
+//! ```compile_fail,E0277
+//! # use nanospectra::{Reflectance, path::Scene};
+//! fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) { let _ = scene.push(glass); }
+//! ```
+//!
+//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Bend`](crate::sensor::Bend)), saturates or is
+//! noisy comes after the eye and is no part of a path: there linearity ends.
+
+mod fluorescent;
+mod matter;
+mod plain;
+mod polarised;
+mod price;
+mod rgb;
+mod scene;
+
+pub use fluorescent::{Emitted, Excites, Glowing};
+pub use matter::{Filter, Surface};
+pub use plain::{Path, Plain, Times};
+pub use polarised::{Dimmed, Intensity, Natural, Polarised, Stokes, StokesPath, Turned};
+pub use price::{Effects, Price, Priced, price_of};
+pub use rgb::RgbBands;
+pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarisation, Part, Scene, WithinBudget};

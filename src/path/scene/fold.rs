@@ -1,0 +1,140 @@
+//! A scene folded into the eye that looks at it.
+
+use crate::matter::Dye;
+use crate::observer::{Observer, PolarisedObserver};
+use crate::path::scene::{Bispectral, Part, Scene};
+use crate::spectrum::{Factor, Power, Spectrum};
+
+/// A part of a scene does something to polarised light that plain light cannot tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct NeedsPolarisation {
+    /// The part, counted from 0.
+    pub part: usize,
+}
+
+impl core::fmt::Display for NeedsPolarisation {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(
+            f,
+            "part {} polarises light: follow it with fold_polarised or leaving_polarised, or leave it out",
+            self.part
+        )
+    }
+}
+
+impl core::error::Error for NeedsPolarisation {}
+
+/// The eye on its way back: asked for Stokes vectors only while parts need them.
+enum Eye<const C: usize, const N: usize, G> {
+    Plain(Observer<C, N, Power, G>),
+    Stokes(PolarisedObserver<C, N, Power, G>),
+}
+
+impl<const C: usize, const N: usize, G> Eye<C, N, G> {
+    /// Its weights for light that is unpolarised.
+    fn unpolarised(self) -> Observer<C, N, Power, G> {
+        match self {
+            Eye::Plain(eye) => eye,
+            Eye::Stokes(eye) => eye.unpolarised_light(),
+        }
+    }
+
+    fn polarised(self) -> PolarisedObserver<C, N, Power, G> {
+        match self {
+            Eye::Plain(eye) => eye.polarised(),
+            Eye::Stokes(eye) => eye,
+        }
+    }
+
+    /// Behind a filter.
+    fn through(self, factors: &Spectrum<Factor, N, G>) -> Self {
+        match self {
+            Eye::Plain(eye) => Eye::Plain(eye.through(factors)),
+            Eye::Stokes(eye) => Eye::Stokes(eye.through(factors)),
+        }
+    }
+}
+
+impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
+    /// This eye (or sensor) as it looks through the whole scene at a lamp: `scene.fold(&eye)?.sees(&lamp)`, or
+    /// `.under(&lamp)` to look at a reflectance that the light meets before the first part.
+    ///
+    /// Parts that change make a new fold; a lamp that changes does not.
+    ///
+    /// # Accuracy
+    /// What it sees is within 4e-7, and 3e-8 more for each part beyond four, of the sum of the terms' sizes of what
+    /// [`leaving`](Self::leaving) has the eye see.
+    ///
+    /// # Errors
+    /// [`NeedsPolarisation`]: a mirror, a polariser or a retarder is in the path;
+    /// [`fold_polarised`](Self::fold_polarised) carries what they do.
+    pub fn fold<const C: usize>(
+        &self,
+        eye: &Observer<C, N, Power, G>,
+    ) -> Result<Observer<C, N, Power, G>, NeedsPolarisation> {
+        self.unpolarised()?;
+        Ok(self.fold_polarised(eye))
+    }
+
+    /// As [`fold`](Self::fold), with weights for Stokes vectors where parts need them. The light of the lamp is
+    /// unpolarised.
+    #[must_use]
+    pub fn fold_polarised<const C: usize>(&self, eye: &Observer<C, N, Power, G>) -> Observer<C, N, Power, G> {
+        let mut eye = Eye::Plain(*eye);
+        for step in self.steps().rev() {
+            eye = match &step.part {
+                Part::Filter(factors) => eye.through(factors),
+                Part::Surface(factors) => Eye::Plain(eye.unpolarised().looking_at(factors)),
+                part @ (Part::Dye(_) | Part::Donaldson(_)) if step.left_out => {
+                    Eye::Plain(eye.unpolarised().looking_at(&part.without_effect()))
+                }
+                part if step.left_out => eye.through(&part.without_effect()),
+                Part::Dye(dye) => Eye::Plain(at_dye(&eye.unpolarised(), dye)),
+                Part::Donaldson(matter) => Eye::Plain(at_donaldson(&eye.unpolarised(), matter)),
+                Part::Mirror(mirror) => Eye::Stokes(eye.polarised().looking_at_mirror(mirror)),
+                Part::Polariser(polariser) => Eye::Stokes(eye.polarised().through_polariser(polariser)),
+                Part::Retarder(retarder) => Eye::Stokes(eye.polarised().through_retarder(retarder)),
+            };
+        }
+        eye.unpolarised()
+    }
+
+    /// Whether plain light can tell all that happens.
+    pub(super) fn unpolarised(&self) -> Result<(), NeedsPolarisation> {
+        let polarises = self.steps().position(|step| !step.left_out && step.part.polarises());
+        polarises.map_or(Ok(()), |part| Err(NeedsPolarisation { part }))
+    }
+}
+
+/// [`Observer::looking_at_dye`] in f32.
+fn at_dye<const C: usize, const N: usize, G>(
+    eye: &Observer<C, N, Power, G>,
+    dye: &Dye<N, G>,
+) -> Observer<C, N, Power, G> {
+    let mut weights = eye.0;
+    let glows = eye.sees(&Spectrum::unchecked(*dye.emission()));
+    for (row, glow) in weights.iter_mut().zip(glows) {
+        for ((weight, reflects), absorbs) in row.iter_mut().zip(&dye.reflectance().0).zip(dye.absorption()) {
+            *weight = *weight * reflects + glow * absorbs;
+        }
+    }
+    Observer::unchecked(weights)
+}
+
+/// [`Observer::looking_at_donaldson`] in f32.
+fn at_donaldson<const C: usize, const N: usize, G>(
+    eye: &Observer<C, N, Power, G>,
+    matter: &Bispectral<'_, N, G>,
+) -> Observer<C, N, Power, G> {
+    let mut weights = [[f32::NAN; N]; C];
+    for (i, column) in matter.columns().enumerate() {
+        let seen = eye.sees(&Spectrum::unchecked(column));
+        for (row, value) in weights.iter_mut().zip(seen) {
+            if let Some(weight) = row.get_mut(i) {
+                *weight = value;
+            }
+        }
+    }
+    Observer::unchecked(weights)
+}

@@ -1,0 +1,14 @@
+//! A path that is chosen at run time.
+
+mod bill;
+mod budget;
+mod fold;
+mod part;
+mod parts;
+mod walk;
+
+pub use bill::BillLine;
+pub use budget::WithinBudget;
+pub use fold::NeedsPolarisation;
+pub use part::{Bispectral, IntoPart, Part};
+pub use parts::{Full, Scene};

@@ -1,0 +1,102 @@
+//! Light through a scene, part by part.
+
+use crate::matter::Mueller;
+use crate::path::scene::parts::Step;
+use crate::path::scene::{NeedsPolarisation, Part, Scene};
+use crate::spectrum::{Factor, Power, Spectrum};
+
+/// Light on its way: as Stokes vectors only from a part that polarises to the next that scatters.
+enum Beam<const N: usize> {
+    Plain([f32; N]),
+    Stokes([[f32; 4]; N]),
+}
+
+impl<const N: usize> Beam<N> {
+    fn intensity(&self) -> [f32; N] {
+        match self {
+            Beam::Plain(light) => *light,
+            Beam::Stokes(light) => light.map(|[intensity, ..]| intensity),
+        }
+    }
+
+    /// Behind a filter.
+    fn dimmed<G>(self, factors: &Spectrum<Factor, N, G>) -> Self {
+        match self {
+            Beam::Plain(light) => Beam::Plain(times(light, factors)),
+            Beam::Stokes(mut light) => {
+                for (stokes, factor) in light.iter_mut().zip(&factors.0) {
+                    *stokes = stokes.map(|value| value * factor);
+                }
+                Beam::Stokes(light)
+            }
+        }
+    }
+
+    fn after<G>(self, step: &Step<'_, N, G>) -> Self {
+        match &step.part {
+            Part::Filter(factors) => self.dimmed(factors),
+            Part::Surface(factors) => Beam::Plain(times(self.intensity(), factors)),
+            part @ (Part::Dye(_) | Part::Donaldson(_)) if step.left_out => {
+                Beam::Plain(times(self.intensity(), &part.without_effect()))
+            }
+            part if step.left_out => self.dimmed(&part.without_effect()),
+            Part::Dye(dye) => {
+                let mut light = self.intensity();
+                let glow = dye.glow_of(&light);
+                for (k, value) in light.iter_mut().enumerate() {
+                    let (reflects, emits) = dye.at(k);
+                    *value = *value * reflects + emits * glow;
+                }
+                Beam::Plain(light)
+            }
+            Part::Donaldson(matter) => Beam::Plain(matter.applied(&self.intensity())),
+            Part::Mirror(mirror) => self.turned(mirror.mueller()),
+            Part::Polariser(polariser) => self.turned(polariser.mueller()),
+            Part::Retarder(retarder) => self.turned(retarder.mueller()),
+        }
+    }
+
+    /// Behind what polarises.
+    fn turned<G>(self, element: &Mueller<N, G>) -> Self {
+        let mut turned = [[f32::NAN; 4]; N];
+        match self {
+            Beam::Plain(light) => {
+                for (k, (out, value)) in turned.iter_mut().zip(&light).enumerate() {
+                    *out = element.turn_natural(k, *value);
+                }
+            }
+            Beam::Stokes(light) => {
+                for (k, (out, stokes)) in turned.iter_mut().zip(&light).enumerate() {
+                    *out = element.turn(k, *stokes);
+                }
+            }
+        }
+        Beam::Stokes(turned)
+    }
+}
+
+fn times<const N: usize, G>(mut light: [f32; N], factors: &Spectrum<Factor, N, G>) -> [f32; N] {
+    for (value, factor) in light.iter_mut().zip(&factors.0) {
+        *value *= factor;
+    }
+    light
+}
+
+impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
+    /// What reaches the eye of the light of `lamp`, which is unpolarised.
+    ///
+    /// # Errors
+    /// [`NeedsPolarisation`]: a mirror, a polariser or a retarder is in the path;
+    /// [`leaving_polarised`](Self::leaving_polarised) follows what they do.
+    pub fn leaving(&self, lamp: &Spectrum<Power, N, G>) -> Result<Spectrum<Power, N, G>, NeedsPolarisation> {
+        self.unpolarised()?;
+        Ok(self.leaving_polarised(lamp))
+    }
+
+    /// What reaches the eye, as [`leaving`](Self::leaving), with Stokes vectors where parts need them.
+    #[must_use]
+    pub fn leaving_polarised(&self, lamp: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
+        let beam = self.steps().fold(Beam::Plain(lamp.0), Beam::after);
+        Spectrum::unchecked(beam.intensity())
+    }
+}

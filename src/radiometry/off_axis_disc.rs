@@ -1,0 +1,116 @@
+//! The solid angle of a disc from anywhere: a short sum, or near the rim an elliptic integral.
+
+use crate::math::sqrt;
+use crate::radiometry::vec3::to_unity;
+use core::f32::consts::{FRAC_PI_2, PI, TAU};
+
+/// Cosines of the odd multiples of 1/64 turn, up to a quarter.
+const COSINES: [f32; 8] = [
+    0.995_184_73,
+    0.956_940_34,
+    0.881_921_26,
+    0.773_010_45,
+    0.634_393_28,
+    0.471_396_74,
+    0.290_284_68,
+    0.098_017_14,
+];
+
+/// A disc seen from a point at a distance from its plane, and `offset_m` beside its axis.
+///
+/// In its plane it is what it is just above: 2 pi over the disc, pi on the rim, nothing outside.
+///
+/// # Accuracy
+/// 6e-7, relative.
+///
+/// # Cost
+/// 18 or 19 square roots, or up to 10 near the rim.
+///
+/// # Reference
+/// Away from the rim the boundary integral, whose terms have one sign and which 16 equal steps of a half turn
+/// bring to 1e-8 (the integrand is periodic). Near the rim Paxton 1959, in one complete elliptic
+/// integral by Bulirsch 1969.
+///
+/// ```
+/// use nanospectra::radiometry::solid_angle::{disc, disc_off_axis};
+/// assert!((disc_off_axis(1.0, 2.0, 0.0) - disc(1.0, 2.0)).abs() < 1e-6);
+/// // Half a radius above the rim.
+/// assert!((disc_off_axis(1.0, 0.5, 1.0) - 1.768_723).abs() < 1e-6);
+/// ```
+#[must_use]
+pub fn disc_off_axis(radius_m: f32, distance_m: f32, offset_m: f32) -> f32 {
+    let k = to_unity([radius_m, distance_m, offset_m]);
+    let [r, h, offset] = [radius_m, distance_m, offset_m].map(|x| (x * k).abs());
+    let (inside, across) = (r - offset, r + offset);
+    // Distances to the nearest and to the farthest point of the rim.
+    let near = sqrt(h * h + inside * inside);
+    let far = sqrt(h * h + across * across);
+    if far == 0.0 {
+        0.0
+    } else if near < 0.27 * far {
+        beside_rim(r, h, inside, across, near / far, far)
+    } else if inside >= 0.0 {
+        // The angle about the foot of the perpendicular, times 1 - cos of the rim's direction.
+        let nearest = near * near;
+        around(|cos| {
+            let (slant, lever) =
+                (sqrt(nearest + 2.0 * offset * r * (1.0 - cos)), inside + offset * (1.0 - cos));
+            r * lever / (slant * (slant + h))
+        })
+    } else {
+        // The angle about the centre, times the integral along that radius.
+        let (nearest, centre) = (near * near, h * h + offset * offset);
+        let axis = sqrt(centre);
+        let toward = h * h - offset * inside;
+        around(|cos| {
+            let slant = sqrt(nearest + 2.0 * offset * r * (1.0 - cos));
+            h * r * r / (slant * (axis * slant + toward + offset * r * (1.0 - cos)))
+        })
+    }
+}
+
+/// Twice the integral over half a turn of a function of the cosine of the angle.
+fn around(f: impl Fn(f32) -> f32) -> f32 {
+    COSINES.iter().fold(0.0, |sum, cos| sum + (f(*cos) + f(-cos))) * (TAU / 16.0)
+}
+
+/// With `kc` = near / far below 0.27.
+fn beside_rim(r: f32, h: f32, inside: f32, across: f32, kc: f32, far: f32) -> f32 {
+    if h == 0.0 || kc == 0.0 {
+        return in_plane(inside);
+    }
+    // The integral of (across cos^2 + inside sin^2) / ((across^2 cos^2 + inside^2 sin^2) root(..)).
+    let slope = inside / across;
+    let elliptic = if slope == 0.0 { cel(kc, 1.0, 1.0, 1.0) } else { cel(kc, slope.abs(), 1.0, slope) };
+    in_plane(inside) - 4.0 * r * h / (across * far) * elliptic
+}
+
+fn in_plane(inside: f32) -> f32 {
+    if inside > 0.0 {
+        TAU
+    } else if inside == 0.0 {
+        PI
+    } else {
+        0.0
+    }
+}
+
+/// Bulirsch's complete elliptic integral over a quarter turn, of
+/// (a cos^2 + b sin^2) / ((cos^2 + root_p^2 sin^2) root(cos^2 + kc^2 sin^2)). Each step squares the error; 6 of them reach any f32 `kc`.
+fn cel(kc: f32, root_p: f32, a: f32, b: f32) -> f32 {
+    let (mut p, mut a, mut b, mut qc, mut e, mut em) = (root_p, a, b / root_p, kc, kc, 1.0);
+    for _ in 0..8 {
+        let (f, g) = (a, e / p);
+        a += b / p;
+        b = 2.0 * (b + f * g);
+        p += g;
+        let last = em;
+        em += qc;
+        if (last - qc).abs() <= last * 2e-4 {
+            break;
+        }
+        qc = 2.0 * sqrt(e);
+        e = qc * em;
+    }
+    FRAC_PI_2 * (b + a * em) / (em * (em + p))
+}
