@@ -25,41 +25,54 @@ if ! command -v valgrind >/dev/null; then
         skipped+=("valgrind cannot be installed: no instructions of paths were counted on the host")
 fi
 
+# What other targets need: beside the tests, since both leave a core idle now and then.
+other_targets() {
+    step "other targets: each feature alone, none and all, on a host; none, the default and all on other kinds of target"
+    host=$(rustc -vV | sed -n 's/^host: //p')
+    all=libm,std,simd,micromath,heapless,defmt
+    for target in $host thumbv6m-none-eabi thumbv7em-none-eabihf wasm32-unknown-unknown; do
+        case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
+        alone=("" libm "$all")
+        [[ $target != "$host" ]] || alone=("" libm std simd micromath heapless defmt "$all")
+        for features in "${alone[@]}"; do
+            echo "$target [$features]"
+            CARGO_TARGET_DIR=target/features cargo clippy --quiet --target "$target" --no-default-features \
+                --features "$features" -- -D warnings
+        done
+    done
+
+    step "other targets: the crates for devices and for the web"
+    for target in thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf; do
+        case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
+        (cd examples/firmware && cargo clippy --quiet --target "$target" --bins --tests -- -D warnings)
+        (cd examples/firmware &&
+            cargo clippy --quiet --target "$target" --no-default-features --features measure,micromath -- -D warnings)
+    done
+    (cd examples/firmware && cargo clippy --quiet --bins --tests -- -D warnings)
+    (cd examples/firmware/decode && cargo clippy --quiet -- -D warnings)
+    case " ${skipped[*]-} " in
+    *" target wasm32-unknown-unknown "*) ;;
+    *) (cd examples/web && cargo clippy --quiet -- -D warnings) ;;
+    esac
+
+    step "other targets, devices: the same bits, instructions and bytes"
+    bash tests/devices.sh --install
+}
+
 step "formatting"
 cargo fmt --all --check
 for crate in examples/firmware examples/firmware/decode examples/web; do
     cargo fmt --manifest-path "$crate/Cargo.toml" --check
 done
 
+mkdir -p target
+others_log=target/other_targets.log
+other_targets >"$others_log" 2>&1 &
+others=$!
+trap 'kill "$others" 2>/dev/null || true' EXIT
+
 step "lints, of everything"
 cargo clippy --all-targets --all-features -- -D warnings
-
-step "each feature alone, none and all, on a host; none, the default and all on other kinds of target"
-host=$(rustc -vV | sed -n 's/^host: //p')
-all=libm,std,simd,micromath,heapless,defmt
-for target in $host thumbv6m-none-eabi thumbv7em-none-eabihf wasm32-unknown-unknown; do
-    case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
-    alone=("" libm "$all")
-    [[ $target != "$host" ]] || alone=("" libm std simd micromath heapless defmt "$all")
-    for features in "${alone[@]}"; do
-        echo "$target [$features]"
-        cargo clippy --quiet --target "$target" --no-default-features --features "$features" -- -D warnings
-    done
-done
-
-step "the crates for devices and for the web"
-for target in thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf; do
-    case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
-    (cd examples/firmware && cargo clippy --quiet --target "$target" --bins --tests -- -D warnings)
-    (cd examples/firmware &&
-        cargo clippy --quiet --target "$target" --no-default-features --features measure,micromath -- -D warnings)
-done
-(cd examples/firmware && cargo clippy --quiet --bins --tests -- -D warnings)
-(cd examples/firmware/decode && cargo clippy --quiet -- -D warnings)
-case " ${skipped[*]-} " in
-*" target wasm32-unknown-unknown "*) ;;
-*) (cd examples/web && cargo clippy --quiet -- -D warnings) ;;
-esac
 
 step "documentation"
 RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features
@@ -90,8 +103,12 @@ cargo bench --bench upsample -- --test
 step "the package is complete"
 cargo package --allow-dirty
 
-step "devices: the same bits, instructions and bytes"
-bash tests/devices.sh --install
+step "other targets"
+outcome=0
+wait "$others" || outcome=$?
+trap - EXIT
+cat "$others_log"
+((outcome == 0))
 
 for what in "${skipped[@]-}"; do
     [[ -z $what ]] || echo "SKIPPED  $what"
