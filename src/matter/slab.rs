@@ -17,6 +17,10 @@ use crate::spectrum::{Factor, Index, Spectrum};
 /// clear enough that its faces reflect as if it were not absorbing, as all that light gets through is.
 ///
 /// ```
+/// # #[cfg(not(feature = "libm"))]
+/// # fn main() {}
+/// # #[cfg(feature = "libm")]
+/// # fn main() -> Result<(), nanospectra::matter::AbsorberError> {
 /// use nanospectra::matter::{Absorber, Slab};
 /// use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, Spectrum, observer::CIE_1931};
 ///
@@ -29,7 +33,8 @@ use crate::spectrum::{Factor, Index, Spectrum};
 /// let behind = EYE.sees(lamp.onto(&paper).through(&window.transmittance(1.0)));
 /// assert!((behind[1] / EYE.sees(lamp.onto(&paper))[1] - 0.460_98).abs() < 1e-5);
 /// assert!((window.reflectance(1.0).values()[0] - 0.049_22).abs() < 1e-5);
-/// # Ok::<(), nanospectra::matter::AbsorberError>(())
+/// # Ok(())
+/// # }
 /// ```
 ///
 /// # Accuracy
