@@ -33,7 +33,7 @@ use core::marker::PhantomData;
 /// bands, or wider than 10 nm, more colours need damped steps (N = 16: none of sRGB is missed).
 ///
 /// # Cost
-/// 2 to 6 steps; at N = 31 380 ns a colour in the mean on x86-64, 4700 instructions on a Cortex-M4F (8100 at
+/// 2 to 6 steps; at N = 31 385 ns a colour in the mean on x86-64, 4500 instructions on a Cortex-M4F (7900 at
 /// most).
 ///
 /// # Reference
@@ -214,7 +214,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// Eight reflectances at once, the same bits as [`reflectance`](Self::reflectance) one by one.
     ///
     /// # Cost
-    /// At N = 31 150 ns a colour for x86-64-v3, 315 ns for the default x86-64 target.
+    /// At N = 31 140 ns a colour for x86-64-v3, 295 ns for the default x86-64 target.
     #[must_use]
     pub fn reflectance_8(&self, rgb: &[Rgb<S>; 8]) -> [Solved<SigmoidReflectance>; 8] {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };

@@ -14,13 +14,13 @@ pub trait StartMap: Copy + core::fmt::Debug + Default + 'static + Start {
     const BYTES: usize;
 }
 
-/// 36 bytes; at N = 31 5900 instructions a colour on a Cortex-M4F in the mean, 9500 at most.
+/// 36 bytes; at N = 31 5700 instructions a colour on a Cortex-M4F in the mean, 9300 at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Linear;
-/// 156 bytes; 4700 instructions in the mean, 8100 at most.
+/// 156 bytes; 4500 instructions in the mean, 7900 at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cubic;
-/// 408 bytes; 4800 instructions in the mean, 7400 at most; the fastest where sums are slow: on hosts.
+/// 408 bytes; 4600 instructions in the mean, 7200 at most; the fastest where sums are slow: on hosts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quintic;
 
