@@ -43,7 +43,9 @@ pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
         let size = sqrt(2.0 * (c1 * c2 - dot));
         if cross < 0.0 { -size } else { size }
     } else {
-        cross / sqrt(0.5 * (c1 * c2 + dot))
+        let square = 0.5 * (c1 * c2 + dot);
+        // Of chromas below 1e-22 it may underflow, and so will the square of what they differ by.
+        if square == 0.0 { 0.0 } else { cross / sqrt(square) }
     };
     Polar { c1, c2, dc, dh, cross, far }
 }

@@ -11,6 +11,9 @@ const KNEE: f32 = 216.0 / 24389.0;
 /// The slope of lightness below the knee: (29/3)^3.
 const KAPPA: f32 = 24389.0 / 27.0;
 
+/// Ratios to the white whose sum of sizes is beyond this overflow on the straight part: 500 (29/3)^3 / 116 times it.
+const MOST: f32 = 8e34;
+
 /// What the compressed ratio of black is.
 const OFFSET: f32 = 16.0 / 116.0;
 
@@ -45,7 +48,7 @@ impl Xyz {
     /// Negative tristimulus values are on the straight part of the curve and stay finite.
     /// `None` when there is nothing to be relative to: a component of the white is not above
     /// zero, as Z of a red laser beyond 650 nm, where z-bar is zero in the CIE table, or it is so
-    /// small that the ratio to it overflows. NaN stays NaN.
+    /// small that the colour is 8e34 times as large. NaN stays NaN.
     ///
     /// # Accuracy
     /// 4e-5 on real colours, whether near grey or not (`tests/color_spaces.rs`); L\* is exactly
@@ -81,7 +84,7 @@ impl Xyz {
             return None;
         }
         let [x, y, z] = [self.x / white.x, self.y / white.y, self.z / white.z];
-        if x.abs() + y.abs() + z.abs() == f32::INFINITY {
+        if x.abs() + y.abs() + z.abs() > MOST {
             return None;
         }
         // The compressed ratios less 16/116: then the straight part goes through zero and keeps its digits.

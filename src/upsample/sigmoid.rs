@@ -299,10 +299,15 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         let (q, given) = solve(responses);
         let spectrum = SigmoidReflectance { shape: Shape { q }, scale, complement };
         let Some(given) = given else { return Solved { spectrum, status: Status::Exact } };
-        let given = given.map(|a| if complement { 1.0 - scale * a } else { scale * a });
-        // Dark colours are judged as bright as can be: else any would do.
-        let exposure = if complement { 1.0 } else { 1.0 / scale };
-        Solved { spectrum, status: self.judged(asked, given, exposure) }
+        let status = if complement {
+            let miss = self.miss(asked, given.map(|a| 1.0 - scale * a));
+            judged(miss, miss)
+        } else {
+            // Dark colours are judged as bright as can be: else any would do.
+            let miss = self.miss(asked, given.map(|a| scale * a));
+            judged(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
+        };
+        Solved { spectrum, status }
     }
 
     /// Of a constant.
@@ -312,16 +317,16 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         } else if share.is_nan() {
             Status::NotFinite
         } else {
-            self.judged(asked, [share; 3], 1.0)
+            let miss = self.miss(asked, [share; 3]);
+            judged(miss, miss)
         };
         Solved { spectrum: SigmoidReflectance::gray(share), status }
     }
 
-    /// Exact if nobody could tell, else how far off.
+    /// A colour and the responses it got.
     #[inline(never)]
-    fn judged(&self, asked: Rgb<S>, given: [f32; 3], exposure: f32) -> Status {
-        let miss = Miss { asked: self.xyz_of(asked), given: self.xyz(given), white: self.xyz([1.0; 3]) };
-        if miss.is_nothing(exposure) { Status::Exact } else { Status::Unreachable(miss) }
+    fn miss(&self, asked: Rgb<S>, given: [f32; 3]) -> Miss {
+        Miss { asked: self.xyz_of(asked), given: self.xyz(given), white: self.xyz([1.0; 3]) }
     }
 
     fn xyz_of(&self, rgb: Rgb<S>) -> Xyz {
@@ -334,6 +339,12 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         let [u, v, w] = self.white;
         Xyz::from(apply(&TO_XYZ, [u * a, v * b, w * c]))
     }
+}
+
+/// Exact if nobody could tell, as `seen`, else how far off.
+#[inline(never)]
+fn judged(miss: Miss, seen: Miss) -> Status {
+    if seen.is_nothing() { Status::Exact } else { Status::Unreachable(miss) }
 }
 
 /// The smallest and the largest.

@@ -54,17 +54,16 @@ impl Miss {
         self.asked.delta_e(self.given, self.white)
     }
 
-    /// Are the two, made brighter by `exposure`, within 0.002 CIEDE2000? By a formula that needs no more than roots, and
-    /// comes to half of that or more.
-    pub(super) fn is_nothing(&self, exposure: f32) -> bool {
-        let lab = |color: Xyz| color.scaled(exposure).lab(self.white);
-        match (lab(self.asked), lab(self.given)) {
+    /// Are the two within 0.002 CIEDE2000? By a formula that needs no more than roots, and comes to half of that or more.
+    pub(super) fn is_nothing(&self) -> bool {
+        match (self.asked.lab(self.white), self.given.lab(self.white)) {
             (Some(asked), Some(given)) => cie94(asked, given, Cie94::GraphicArts) < 0.001,
             _ => false,
         }
     }
 
-    /// The CIE 1976 difference between the two, which needs no more than roots; infinite for components of 1e16 and beyond.
+    /// The CIE 1976 difference between the two, which needs no more than roots; infinite, or NaN, for components of 1e16 and
+    /// beyond.
     #[must_use]
     pub fn delta_e76(&self) -> f32 {
         match (self.asked.lab(self.white), self.given.lab(self.white)) {
