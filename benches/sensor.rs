@@ -1,4 +1,5 @@
-//! From the counts of a chip to a colour on a host; what a device needs is counted by `tests/devices.sh`.
+//! From the counts of a chip to a colour on a host; what a device needs is counted by `tests/devices.sh`. Ids are
+//! station/op/N/backend.
 
 use criterion::{BatchSize, BenchmarkId, Criterion};
 use nanospectra::math::Fast;
@@ -38,7 +39,7 @@ fn reading(c: &mut Criterion) {
     let (kelvin, _) = white.uv1960().and_then(|uv| uv.cct().near()).expect("a white");
     assert!((cct_k as f32 - kelvin).abs() < 5.0, "{cct_k} {kelvin}");
 
-    let mut group = c.benchmark_group("sensor_reading");
+    let mut group = c.benchmark_group("sensor/reading");
     group.bench_function(BenchmarkId::new("8", "f32"), |b| {
         b.iter(|| {
             let xyz = METER.xyz(black_box(&counts)).ok()?;
@@ -55,7 +56,7 @@ fn reading(c: &mut Criterion) {
 fn spectrum(c: &mut Criterion) {
     let basic = BasicCounts::new(CHIP.sees(&Light::flat(2.0)));
     assert!((SPECTRUM.spectrum(&basic).values()[15] - 2.0).abs() < 0.1);
-    let mut group = c.benchmark_group("sensor_spectrum");
+    let mut group = c.benchmark_group("sensor/spectrum");
     group.bench_function(BenchmarkId::new("31", "smooth"), |b| {
         b.iter(|| SPECTRUM.spectrum(black_box(&basic)))
     });
@@ -80,7 +81,7 @@ fn fit(c: &mut Criterion) {
     };
     let [_, y, _] = solve(&patches).expect("patches that differ").apply(&patches[5].0);
     assert!((y / patches[5].1[1] - 1.0).abs() < 0.1, "{y}");
-    c.bench_function("sensor_fit/24", |b| b.iter(|| solve(black_box(&patches))));
+    c.bench_function("sensor/fit/24/f32", |b| b.iter(|| solve(black_box(&patches))));
 }
 
 /// 81 bands of 16 bits to XYZ in integers.
@@ -89,7 +90,7 @@ fn bands(c: &mut Criterion) {
     static FIXED: FixedObserver<3, 81, Nodes<380, 780>> = FixedObserver::new(&WIDE).unwrap();
     let y = FIXED.sees(&[40_000; 81])[1] as f32 * FIXED.unit() / 40_000.0;
     assert!((y / 106.857 - 1.0).abs() < 1e-3, "{y}");
-    c.bench_function("sensor_bands/81/fixed", |b| {
+    c.bench_function("sensor/bands/81/fixed", |b| {
         b.iter_batched_ref(|| [40_000; 81], |samples| FIXED.sees(black_box(samples)), BatchSize::SmallInput);
     });
 }

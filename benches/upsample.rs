@@ -1,10 +1,9 @@
-//! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`.
+//! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`. Ids are
+//! station/op/N/backend.
 //!
 //! The colours are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for one
-//! colour (or eight, or one sample, as the id says). `rgb2spec/fetch` finds coefficients in its table of 16^3 cells
-//! and is no spectrum yet; `fetch_and_read` is. Every bench checks its result first.
-
-mod ratios;
+//! colour (or eight, or one sample, as the id says). `coefficients` are what `rgb2spec` finds in its table of 16^3
+//! cells, no spectrum yet. Every bench checks its result first.
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
@@ -14,7 +13,6 @@ use nanospectra::upsample::{
     Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, StartMap, Viewing,
 };
 use nanospectra::{Bins, Curve, Fine, Grid, Interpolation, Nodes, Outside, Power, Reflectance};
-use ratios::Ratio;
 use rgb2spec::optimize::{gamut::Gamut, optimize};
 use std::hint::black_box;
 
@@ -34,9 +32,9 @@ fn linear(codes: &[[u8; 3]]) -> Vec<Rgb<Srgb>> {
 }
 
 /// One after another, round and round.
-fn each<T: Copy, R>(c: &mut Criterion, group: &str, id: BenchmarkId, inputs: &[T], f: impl Fn(T) -> R) {
+fn each<T: Copy, R>(c: &mut Criterion, op: &str, id: BenchmarkId, inputs: &[T], f: impl Fn(T) -> R) {
     let mut next = 0;
-    c.benchmark_group(group).bench_function(id, |b| {
+    c.benchmark_group(format!("upsample/{op}")).bench_function(id, |b| {
         b.iter(|| {
             next = (next + 1) % inputs.len();
             f(black_box(inputs[next]))
@@ -57,13 +55,11 @@ fn solver<const N: usize, G: Grid, M: StartMap>(c: &mut Criterion, name: &str) {
     for eight in &eights {
         assert_eq!(sigmoid.reflectance_8(eight), eight.map(|rgb| sigmoid.reflectance(rgb)));
     }
-    each(c, &format!("upsample_{name}"), BenchmarkId::new("single", N), &colours, |rgb| {
-        sigmoid.reflectance(rgb)
-    });
-    let mut group = c.benchmark_group(format!("upsample_{name}"));
+    each(c, "reflectance", BenchmarkId::new(N.to_string(), name), &colours, |rgb| sigmoid.reflectance(rgb));
+    let mut group = c.benchmark_group("upsample/reflectance-of-8");
     group.throughput(Throughput::Elements(8));
     let mut next = 0;
-    group.bench_function(BenchmarkId::new("batch_of_8", N), |b| {
+    group.bench_function(BenchmarkId::new(N.to_string(), name), |b| {
         b.iter(|| {
             next = (next + 1) % eights.len();
             sigmoid.reflectance_8(black_box(&eights[next]))
@@ -77,9 +73,9 @@ fn reading<const N: usize, G: Grid>(c: &mut Criterion) {
     for (nm, share) in on_grid.iter() {
         assert!((curve.at(nm) - share).abs() < 1e-6);
     }
-    let mut group = c.benchmark_group("upsample_stored");
+    let mut group = c.benchmark_group("upsample/stored");
     group.throughput(Throughput::Elements(N as u64));
-    group.bench_function(BenchmarkId::new("on_grid", N), |b| {
+    group.bench_function(BenchmarkId::new(N.to_string(), "on_grid"), |b| {
         b.iter(|| black_box(curve).on_grid::<N, G>());
     });
 }
@@ -93,8 +89,8 @@ fn linear_methods(c: &mut Criterion) {
         assert_eq!(viewing.rgb(&basis.reflectance(*rgb)).encode().to_u8(), *code);
         assert!(viewing.delta_e(*rgb, &smits.reflectance(*rgb)) < 3.0);
     }
-    each(c, "upsample_basis", BenchmarkId::new("single", 31), &colours, |rgb| basis.reflectance(rgb));
-    each(c, "upsample_smits", BenchmarkId::new("single", 31), &colours, |rgb| smits.reflectance(rgb));
+    each(c, "reflectance", BenchmarkId::new("31", "basis"), &colours, |rgb| basis.reflectance(rgb));
+    each(c, "reflectance", BenchmarkId::new("31", "smits"), &colours, |rgb| smits.reflectance(rgb));
 }
 
 fn peer(c: &mut Criterion) {
@@ -109,8 +105,8 @@ fn peer(c: &mut Criterion) {
         values
     };
     assert!((read([0.5; 3])[15] - 0.5).abs() < 1e-2);
-    each(c, "upsample_rgb2spec", BenchmarkId::new("fetch", 16), &colours, |rgb| table.fetch(rgb));
-    each(c, "upsample_rgb2spec", BenchmarkId::new("fetch_and_read", 31), &colours, read);
+    each(c, "coefficients", BenchmarkId::new("3", "rgb2spec-16"), &colours, |rgb| table.fetch(rgb));
+    each(c, "reflectance", BenchmarkId::new("31", "rgb2spec-16"), &colours, read);
 }
 
 fn main() {
@@ -125,9 +121,4 @@ fn main() {
     linear_methods(&mut c);
     peer(&mut c);
     c.final_summary();
-    ratios::print(&[
-        // Eight in a batch over one by one.
-        Ratio::at_most("upsample_cubic/batch_of_8/31", "upsample_cubic/single/31", 8.0),
-        Ratio::at_most("upsample_basis/single/31", "upsample_rgb2spec/fetch_and_read/31", 0.2),
-    ]);
 }

@@ -63,7 +63,8 @@
 //!
 //! # Features
 //!
-//! `libm` (default): what needs exp, ln, pow or atan2 by its short name. `simd`: explicit vectors on hosts.
+//! `libm` (default): what needs exp, ln, pow or atan2 by its short name. `simd`: explicit vectors on
+//! hosts other than x86-64, which has them always.
 //! `std`, `micromath`: more [`math`] backends ([`math::Fast`] needs no feature: the `_with` forms take it). `heapless`:
 //! samples collected in fixed memory. `defmt`: logging.
 //!

@@ -2,8 +2,8 @@
 //!
 //! Every file is read strictly: a wrong cell stops the build with file, line and what to do.
 //! Nothing here calls a platform maths function (exp and pow differ in the last bit between
-//! platforms); the one transcendental table, the Planckian locus, is made in `locus.rs` from
-//! the four operations alone.
+//! platforms); the transcendental tables, the Planckian locus and its lights, are made in `locus.rs` and
+//! `reference.rs` from the four operations alone.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,6 +11,7 @@ use std::{env, fs};
 
 mod fixed_locus;
 mod locus;
+mod reference;
 mod table;
 mod upsample;
 
@@ -107,6 +108,7 @@ fn generate() -> Result<(), String> {
 
     let cmf = Table::read(&tables.join("cmf/cie_1931_2deg_xyz_1nm.csv"))?;
     save(&out.join("fixed_locus.rs"), &fixed_locus::source(&cmf))?;
+    save(&out.join("reference.rs"), &reference::source(&cmf))?;
     save(&out.join("locus.rs"), &locus::source(&cmf))
 }
 

@@ -65,7 +65,7 @@ pub fn knot(mired: f64, cmf: &Table) -> [f64; 4] {
 }
 
 /// x / (e^x - 1) and its derivative.
-fn bose(x: f64) -> (f64, f64) {
+pub fn bose(x: f64) -> (f64, f64) {
     if x < 1e-3 {
         // The series 1 - x/2 + x^2/12 - ..: next terms x^4/720 and x^3/180.
         return (1.0 - x / 2.0 + x * x / 12.0, -0.5 + x / 6.0);

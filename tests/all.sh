@@ -48,7 +48,7 @@ other_targets() {
         case " ${skipped[*]-} " in *" target $target "*) continue ;; esac
         (cd examples/firmware && cargo clippy --quiet --target "$target" --bins --tests -- -D warnings)
         (cd examples/firmware &&
-            cargo clippy --quiet --target "$target" --no-default-features --features measure,micromath -- -D warnings)
+            cargo clippy --quiet --target "$target" --no-default-features --features measure -- -D warnings)
     done
     (cd examples/firmware && cargo clippy --quiet --bins --tests -- -D warnings)
     (cd examples/firmware/decode && cargo clippy --quiet -- -D warnings)
@@ -96,11 +96,20 @@ cargo test --no-default-features --lib $(tests accuracy backends brdf cct color_
     properties radiometry reference semantics sensor_calibration sensor_measures sensor_readings upsample_fit)
 cargo test --no-default-features --doc
 
+if grep -qsw avx2 /proc/cpuinfo; then
+    step "the same bits with vectors of eight lanes"
+    RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=target/v3 cargo test --release --test bits --test properties
+fi
+
 step "the benches run and check their results"
 cargo bench --bench observer -- --test
 cargo bench --bench color -- --test
 cargo bench --bench sensor -- --test
 cargo bench --bench upsample -- --test
+cargo bench --bench peers -- --test
+
+step "what accuracy costs: every figure as it is on record, and the README as the record makes it"
+cargo run --release --example cost -- --quick --check
 
 step "the package is complete"
 cargo package --allow-dirty

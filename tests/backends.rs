@@ -101,6 +101,35 @@ backend!(the_std_backend_is_near_f64 "Std" math::Std, turns to 1e6);
 #[cfg(feature = "micromath")]
 backend!(the_micromath_backend_is_as_far_off_as_its_page_says "Micromath" math::Micromath, turns to 1.0);
 
+#[cfg(feature = "micromath")]
+#[test]
+fn micromath_is_not_for_colour() {
+    use allowed::Singles;
+    use math::Micromath;
+    use nanospectra::color::transfer::{self, Transfer};
+    use nanospectra::color::{Rgb, RgbSpace, Srgb};
+    let (mut lab, mut encoded) = (check("Lab by Micromath"), check("sRGB by Micromath"));
+    let levels = || (0..=20u16).map(|level| f32::from(level) / 20.0);
+    for (r, g, b) in levels().flat_map(|r| levels().flat_map(move |g| levels().map(move |b| (r, g, b)))) {
+        let (color, white) = (Rgb::<Srgb>::new(r, g, b).xyz(), Srgb::WHITE_XYZ);
+        let exact = model::lab::lab(color.to_array().map(f64::from), white.to_array().map(f64::from));
+        let got = color.lab_with::<Micromath>(white).expect("a white");
+        lab.add_all(&format!("{r} {g} {b}"), [got.l, got.a, got.b], exact);
+    }
+    let mut codes = 0;
+    for k in 1..=10_000u16 {
+        let y = f32::from(k) / 1e4;
+        let (got, exact) =
+            (transfer::Srgb::encode_with::<Micromath>(y), model::transfer::srgb_encode(y.into()));
+        encoded.add(&format!("{y}"), got, exact);
+        let code = |v: f64| (255.0 * v).round() as i32;
+        codes = codes.max((code(got.into()) - code(exact)).abs());
+    }
+    assert_eq!(codes, 12);
+    lab.tight(3 * 21 * 21 * 21);
+    encoded.tight(10_000);
+}
+
 /// What Portable and Fast have in common at the edges of their domains.
 fn edges<M: Math>() {
     assert_eq!((M::exp(0.0), M::expm1(0.0), M::ln(1.0)), (1.0, 0.0, 0.0));

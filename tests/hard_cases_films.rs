@@ -64,10 +64,12 @@ fn the_phase_of_a_film_is_right_up_to_ten_centimetres() {
 fn films_thinner_than_an_atom_still_reflect_what_they_should() {
     let mut check = check("reflectance of the thinnest films, in eps");
     let mut points = 0;
-    for d in [1e-6f32, 1e-3, 1e-2, 0.1, 1.0] {
+    // The last one is the worst of a million, at the first wavelength.
+    let thickness = (0..=120).map(|step| 1e-6 * 10f32.powf(0.05 * step as f32)).chain([0.534_689_7]);
+    for d in thickness {
         for indices in [[1.0f32, 1.33, 1.0], [1.5, 2.4, 1.5], [1.0, 1.0001, 1.0]] {
             for cos in [1.0f32, 0.8, 0.3] {
-                for nm in [380.3f32, 550.0, 719.7] {
+                for nm in [646.5087f32, 380.3, 417.1, 550.0, 719.7] {
                     let [s, _] = ThinFilm::new(indices, d).at(nm, cos);
                     let [exact, _] = film::airy(indices.map(f64::from), d.into(), nm.into(), cos.into());
                     let error = (f64::from(s.reflected) - exact).abs() / (exact * EPS);
@@ -135,16 +137,17 @@ fn differences<const N: usize>([truth, white]: [[f64; 3]; 2], d: f32) -> [f64; 2
 fn the_colour_of_a_thick_film_needs_the_mean_over_bins() {
     let eye = FinestEye::new();
     let mut check = check("colour of a soap film of 1 mm, CIEDE2000");
-    for (d, tight) in [(1e6f32, true), (1.0003e6, true), (2e4, false), (5e3, false)] {
+    for d in [1e6f32, 1.0003e6, 2e4, 5e3] {
         let truth = eye.sees(d.into());
         let all = [differences::<16>(truth, d), differences::<31>(truth, d), differences::<60>(truth, d)];
         println!("{d} nm: averaged and points, 16, 31, 60 bins: {all:.3?}");
-        for [averaged, points] in all {
-            if tight {
+        for ([averaged, points], of_20_um) in all.into_iter().zip([0.6, 0.2, 0.14]) {
+            if d > 1e5 {
                 check.value(&format!("{d} nm"), averaged, 0.0);
-                assert!(points > 1.5, "{d} nm: points are {points} off");
+                assert!((2.0..20.2).contains(&points), "{d} nm: points are {points} off");
             } else {
                 assert!(averaged < 1.0 && points > averaged, "{d} nm: {averaged}, points {points}");
+                assert!(d < 1e4 || (0.85 * of_20_um..of_20_um).contains(&averaged), "{d} nm: {averaged}");
             }
         }
     }

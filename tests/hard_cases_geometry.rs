@@ -13,6 +13,7 @@ use nanospectra::radiometry::form_factor::{coaxial_discs, to_disc, to_sphere};
 use nanospectra::radiometry::solid_angle::{
     WHOLE_SPHERE, cone, disc, disc_off_axis, rectangle, sphere, triangle, triangle_with,
 };
+use nanospectra::radiometry::{Candela, DiscSource, Nit, PointSource, SphereSource};
 use std::f64::consts::PI;
 
 /// The unit of rounding: half the distance between 1 and the next f32.
@@ -75,7 +76,14 @@ fn far_spheres_keep_their_solid_angle() {
         let place = format!("{radius} m at {distance} m");
         compare(&mut check, &place, sphere(radius, distance), exact::sphere(radius.into(), distance.into()));
     }
-    check.tight(100_000);
+    let [radius, distance] = [1.136_706_4, 514.607];
+    compare(
+        &mut check,
+        "the worst found",
+        sphere(radius, distance),
+        exact::sphere(radius.into(), distance.into()),
+    );
+    check.tight(100_001);
     // The sun, and a ten thousandth of a radian.
     for (radius, distance) in [(6.957e8f32, 1.496e11), (1.0, 1e4), (4.65e-3, 1.0), (1e-4, 1.0)] {
         let exact = exact::sphere(radius.into(), distance.into());
@@ -349,4 +357,33 @@ fn discs_and_spheres_keep_their_form_factor_from_a_point() {
     }
     up.tight(ups);
     down.tight(downs);
+}
+
+#[test]
+fn sources_light_a_point_as_their_form_factors_say() {
+    let mut noise = Noise(4);
+    let nodes = gauss(60);
+    let mut points = check("irradiance of points, of that at normal incidence, in eps");
+    let mut spheres = check("irradiance of spheres, of that at normal incidence");
+    let mut discs = check("irradiance of discs");
+    for k in 0..20_000 {
+        let (place, normal, to) = (noise.point(), noise.point(), noise.point());
+        let way = exact::minus(wide(to), wide(place));
+        let (distance, cos) = (exact::length(way), exact::dot(exact::unit(way), exact::unit(wide(normal))));
+        let at = format!("{k}: {place:?} {normal:?} {to:?}");
+        let lamp = PointSource { position_m: to, intensity: Candela::from(1000.0) };
+        let all = 1000.0 / (distance * distance);
+        let got = f64::from(lamp.irradiance(place, normal).value().0);
+        points.value(&at, got / (all * EPS), cos.max(0.0) / EPS);
+        let radius_m = (0.01 + 0.9 * f64::from(k) / 20_000.0) * distance;
+        let globe = SphereSource { center_m: to, radius_m: radius_m as f32, radiance: Nit::from(1000.0) };
+        let radius = f64::from(globe.radius_m);
+        let got = f64::from(globe.irradiance(place, normal).value().0) / (1000.0 * PI);
+        let whole = (radius / distance).powi(2);
+        spheres.value(&at, got / whole, exact::to_sphere(&nodes, radius, distance, cos) / whole);
+        let disc = DiscSource { radius_m: globe.radius_m, radiance: Nit::from(1000.0) };
+        let exact = 1000.0 * PI * exact::to_disc(radius, f64::from(to[0].abs()), f64::from(place[0].abs()));
+        discs.value(&at, disc.irradiance(to[0].abs(), place[0].abs()).value().0.into(), exact);
+    }
+    [points, spheres, discs].into_iter().for_each(|check| check.tight(20_000));
 }

@@ -48,8 +48,8 @@ fn a_path_of_factors_takes_what_the_loop_by_hand_takes() {
             let hand = instructions(&binary, &format!("{what}_by_hand"));
             println!("{profile}: {what} takes {path} instructions, by hand {hand}");
             assert!(path > 100 && hand > 100, "nothing was counted");
-            // (At "s" three iterators in one by hand take an instruction more for each bin: 2.6 %.)
-            let equal = path * 100 <= hand * 102 && hand * 100 <= path * 103;
+            // (At "s" three iterators in one by hand take an instruction more for each of the 31 bins.)
+            let equal = path * 100 <= hand * 102 && hand <= path + 31;
             assert!(equal, "{profile}: {what} takes {path} instructions, by hand {hand}");
         }
     }

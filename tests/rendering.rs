@@ -5,9 +5,11 @@ mod allowed;
 mod model;
 
 use allowed::check;
+use model::cri::{Method, Mode};
 use model::csv::golden;
 use model::tables::source;
 use nanospectra::color::{RenderingError, cri, tm30};
+use nanospectra::light::blackbody_relative;
 use nanospectra::{Fine, Interpolation, Outside, Power};
 
 /// The goldens' rule: Sprague to 1 nm, nothing outside.
@@ -39,6 +41,41 @@ fn cri_is_that_of_the_goldens() {
     ra.tight(rows);
     r.tight(15 * rows);
     assert_eq!(rows + refused, 63, "rows of the golden");
+}
+
+/// The references below 5000 K are series; a black body of any of their temperatures is its own.
+#[test]
+fn black_bodies_render_colours_perfectly() {
+    let mut r = check("R1 to R15 of black bodies");
+    let kelvins = (1001..4999).step_by(31);
+    for kelvin in kelvins.clone() {
+        let light = Fine::at_centres(|nm| blackbody_relative(nm, kelvin as f32));
+        for value in cri(&light).expect("a white").r {
+            r.value(&format!("{kelvin} K"), value.into(), 100.0);
+        }
+    }
+    r.tight(15 * kelvins.count());
+}
+
+/// Every nanometre counts, at the ends of the range as in the middle of a step of 5 nm between two samples.
+#[test]
+fn a_line_anywhere_shows_in_every_sample() {
+    let method = Method::new(Mode::OneNm);
+    let mut r = check("R1 to R14 of lights with a line");
+    let lines = (360..=830).step_by(3).chain([361, 362, 364, 826, 828, 829, 830]);
+    for nm in lines.clone() {
+        let mut light = Fine::at_centres(|nm| blackbody_relative(nm, 4000.0));
+        let height = if (400..=700).contains(&nm) { 5.0 } else { 1e3 };
+        if let Some(value) = light.values_mut().get_mut(nm - 360) {
+            *value += height;
+        }
+        let found = cri(&light).expect("a white");
+        let expected = method.of_values(&light.values().map(f64::from));
+        for (k, (found, expected)) in found.r.iter().zip(expected.r).take(14).enumerate() {
+            r.value(&format!("R{} with {nm} nm", k + 1), f64::from(*found), expected);
+        }
+    }
+    r.tight(14 * lines.count());
 }
 
 #[test]

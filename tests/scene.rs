@@ -154,11 +154,17 @@ impl Pool {
                 _ => None,
             };
             if let Some(mueller) = mueller {
-                for k in 0..31 {
-                    let unit = |i: usize| [0, 1, 2, 3].map(|j| if i == j { stokes[i][k] } else { 0.0 });
-                    let columns = [0, 1, 2, 3].map(|i| mueller.turn(k, unit(i)).map(f32::abs));
-                    (0..4).for_each(|j| stokes[j][k] = columns.map(|column| column[j]).iter().sum());
+                let mut leaving = [[0.0; 31]; 4];
+                for (i, row) in stokes.iter().enumerate() {
+                    for (k, value) in row.iter().enumerate() {
+                        let mut alone = [0.0; 4];
+                        alone[i] = *value;
+                        for (leaving, term) in leaving.iter_mut().zip(mueller.turn(k, alone)) {
+                            leaving[k] += term.abs();
+                        }
+                    }
                 }
+                stokes = leaving;
             } else {
                 let part: Scene<31, 1> = self.scene(&[*kind]).leaving_out(if place == out { 0 } else { 1 });
                 stokes = stokes.map(|row| *part.leaving_polarised(&Light::from_bins(row)).values());

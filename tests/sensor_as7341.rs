@@ -189,13 +189,18 @@ fn an_as7341_measures_lux_and_cct_of_every_lamp_within_the_bar() {
             lux.0.len()
         );
     }
-    let [[lux, cct], ..] = &sizes;
+    let [[lux, cct], _, [spectral_lux, spectral_cct]] = &sizes;
     assert_eq!((lux.0.len(), cct.0.len()), (77, 77));
     for (what, error) in [
+        ("residual of patches, % of Y", 100.0 * f64::from(fit.residual_rms()[1])),
         ("AS7341, lux in the mean, %", lux.mean()),
         ("AS7341, lux at worst, %", lux.worst()),
         ("AS7341, CCT in the mean, %", cct.mean()),
         ("AS7341, CCT at worst, %", cct.worst()),
+        ("AS7341 by its spectrum, lux in the mean, %", spectral_lux.mean()),
+        ("AS7341 by its spectrum, lux at worst, %", spectral_lux.worst()),
+        ("AS7341 by its spectrum, CCT in the mean, %", spectral_cct.mean()),
+        ("AS7341 by its spectrum, CCT at worst, %", spectral_cct.worst()),
     ] {
         let mut bar = check(what);
         bar.value("77 lamps", error, 0.0);

@@ -167,32 +167,34 @@ fn every_grid<M: StartMap + Sync>(step: usize, map: &str, allowed: f64) {
     hold(&format!("81 nodes 380..780, {map}"), sweep::<81, Nodes<380, 780>, M>(step), allowed);
 }
 
-/// The largest CIEDE2000 that is allowed; half of it is what f32 sums leave of an exact solution.
-const ALLOWED: f64 = 5e-4;
+/// The largest CIEDE2000 that each map is allowed; half of it is what f32 sums leave of an exact solution.
+const CUBIC: f64 = 0.00042;
+const LINEAR: f64 = 0.00035;
+const QUINTIC: f64 = 0.00034;
 
 #[test]
 fn a_sample_of_the_8_bit_colors_comes_back_as_its_code() {
     let step = if cfg!(debug_assertions) { 15 } else { 5 };
-    every_grid::<Cubic>(step, "cubic", ALLOWED);
-    every_grid::<Linear>(step, "linear", ALLOWED);
-    every_grid::<Quintic>(step, "quintic", ALLOWED);
+    every_grid::<Cubic>(step, "cubic", CUBIC);
+    every_grid::<Linear>(step, "linear", LINEAR);
+    every_grid::<Quintic>(step, "quintic", QUINTIC);
 }
 
 #[test]
 #[ignore = "half a minute, run by tests/all.sh: cargo test --release --test upsample_all -- --ignored on_31_bands"]
 fn all_2_to_the_24_colors_come_back_as_their_code_on_31_bands() {
-    hold("31 nodes 400..700, cubic", sweep::<31, Nodes<400, 700>, Cubic>(1), ALLOWED);
+    hold("31 nodes 400..700, cubic", sweep::<31, Nodes<400, 700>, Cubic>(1), CUBIC);
 }
 
 #[test]
 #[ignore = "minutes: cargo test --release --test upsample_all -- --ignored default_map"]
 fn all_2_to_the_24_colors_come_back_as_their_code_with_the_default_map() {
-    every_grid::<Cubic>(1, "cubic", ALLOWED);
+    every_grid::<Cubic>(1, "cubic", CUBIC);
 }
 
 #[test]
 #[ignore = "minutes: cargo test --release --test upsample_all -- --ignored other_maps"]
 fn all_2_to_the_24_colors_come_back_as_their_code_with_the_other_maps() {
-    every_grid::<Linear>(1, "linear", ALLOWED);
-    every_grid::<Quintic>(1, "quintic", ALLOWED);
+    every_grid::<Linear>(1, "linear", LINEAR);
+    every_grid::<Quintic>(1, "quintic", QUINTIC);
 }

@@ -1,8 +1,10 @@
 //! Displays, mixed paints and metamers.
 #![cfg(feature = "libm")]
 
+mod allowed;
 mod model;
 
+use allowed::{Singles, check};
 use model::linear;
 use nanospectra::color::{EncodedRgb, Rgb, Srgb, Xyz};
 use nanospectra::light::{A, D65, FL11};
@@ -77,6 +79,23 @@ fn blue_and_yellow_paint_make_green_and_their_lights_make_gray() {
     assert_eq!(kubelka_munk(&[(1.0, &white), (0.0, &black)]), white);
     assert_eq!(kubelka_munk(&[(1.0, &white), (0.1, &black)]), black);
     assert!(kubelka_munk::<81, Grid>(&[]).values().iter().all(|r| r.is_nan()));
+}
+
+#[test]
+fn mixed_paints_keep_their_digits_down_to_a_thousandth() {
+    let exact = |r: f64| (1.0 - r) * (1.0 - r) / (2.0 * r);
+    let mut check = check("mixtures of two paints");
+    for one in 0..=60 {
+        for other in 0..=60 {
+            let [a, b] = [one, other].map(|k| 10f32.powf(-0.05 * k as f32));
+            let (one, other) = (Reflectance::<2, Grid>::flat(a), Reflectance::flat(b));
+            let got = kubelka_munk(&[(0.7, &one), (0.3, &other)]).values()[1];
+            let [share, rest] = [0.7f32, 0.3].map(f64::from);
+            let k = (share * exact(a.into()) + rest * exact(b.into())) / (share + rest);
+            check.add(&format!("{a} {b}"), got, 1.0 + k - (k * (k + 2.0)).sqrt());
+        }
+    }
+    check.tight(61 * 61);
 }
 
 #[test]

@@ -1,11 +1,10 @@
 //! The CIE colour rendering index.
 
-use crate::color::reference::{RenderingError, daylight, planckian, temperature};
+use crate::color::reference::{RenderingError, temperature};
+use crate::color::test_colors::{Colors, under, under_reference};
 use crate::color::{Uv1960, Xyz};
 use crate::math::{cbrt, sqrt};
-use crate::matter::TCS;
-use crate::observer::CIE_1931;
-use crate::spectrum::{Factor, Fine, Power};
+use crate::spectrum::{Fine, Power};
 
 /// Colour rendering of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,13 +26,16 @@ pub struct Cri {
 /// The CIE 1974 test colour method, unrounded.
 ///
 /// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there, above 25000 K by
-/// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer.
+/// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer. The sums are
+/// taken in another order, samples last, and for the reference ahead of time; the numbers are the same but for rounding.
 ///
 /// # Accuracy
-/// Ra is within 3e-4 and each R within 1.3e-3 of f64, over 63 lamps (`tests/rendering.rs`).
+/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/rendering.rs`). TCS15, tabulated over
+/// 380..=780 nm alone, is held on before it is interpolated.
 ///
 /// # Cost
-/// 28 KB of samples; some 60 inner products of 471 terms.
+/// 17 KB of tables, colour-matching functions included; 13,000 multiplications and additions and no exponential, 2.1 us
+/// on an x86-64 host.
 ///
 /// # Errors
 /// [`RenderingError`]: dark, no white, or with values so negative that a sample has no colour.
@@ -42,15 +44,14 @@ pub struct Cri {
 /// CIE 13.3-1995.
 pub fn cri(light: &Fine<Power>) -> Result<Cri, RenderingError> {
     let (cct_k, duv) = temperature(light)?;
-    let reference = if cct_k < 5000.0 { planckian(cct_k) } else { daylight(cct_k) };
-    let (test, standard) = (Judge::new(light)?, Judge::new(&reference)?);
+    let (test, standard) = (Judge::new(under(light))?, Judge::new(under_reference(cct_k))?);
     let dc = {
         let (du, dv) = (test.white.u - standard.white.u, test.white.v - standard.white.v);
         sqrt(du * du + dv * dv)
     };
     let mut r = [0.0; 15];
-    for (r, sample) in r.iter_mut().zip(&TCS) {
-        let (a, b) = (test.uvw(sample, &standard)?, standard.uvw(sample, &standard)?);
+    for (r, (seen, expected)) in r.iter_mut().zip(test.samples().zip(standard.samples())) {
+        let (a, b) = (test.uvw(seen, &standard)?, standard.uvw(expected, &standard)?);
         let d = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         *r = 100.0 - 4.6 * sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     }
@@ -62,31 +63,36 @@ pub fn cri(light: &Fine<Power>) -> Result<Cri, RenderingError> {
 }
 
 /// A light under which samples are looked at.
-struct Judge<'a> {
-    light: &'a Fine<Power>,
+struct Judge {
+    colors: Colors,
     white: Uv1960,
+    white_cd: [f32; 2],
     /// Brings Y of the white to 100.
     scale: f32,
 }
 
-impl<'a> Judge<'a> {
-    fn new(light: &'a Fine<Power>) -> Result<Self, RenderingError> {
-        let xyz = Xyz::from(CIE_1931.sees(light));
-        let white = xyz.uv1960().ok_or(RenderingError::Dark)?;
-        Ok(Judge { light, white, scale: 100.0 / xyz.y })
+impl Judge {
+    fn new(colors: Colors) -> Result<Self, RenderingError> {
+        let [[.., x], [.., y], [.., z]] = colors;
+        let white = Xyz { x, y, z }.uv1960().ok_or(RenderingError::Dark)?;
+        Ok(Judge { colors, white, white_cd: cd(white), scale: 100.0 / y })
+    }
+
+    /// The 15 samples (and, for who asks for more, the white).
+    fn samples(&self) -> impl Iterator<Item = Xyz> {
+        let [x, y, z] = &self.colors;
+        x.iter().zip(y.iter().zip(z)).map(|(x, (y, z))| Xyz { x: *x, y: *y, z: *z }.scaled(self.scale))
     }
 
     /// U*, V*, W* of a sample, adapted to the white of the reference by von Kries' rule on the
     /// quantities c and d of the standard.
-    fn uvw(&self, sample: &Fine<Factor>, reference: &Judge) -> Result<[f32; 3], RenderingError> {
-        let xyz = Xyz::from(CIE_1931.sees(&(*self.light * *sample))).scaled(self.scale);
-        let uv = xyz.uv1960().ok_or(RenderingError::Unreal)?;
-        let (own, other, own_white) = (cd(uv), cd(reference.white), cd(self.white));
-        let c = other[0] / own_white[0] * own[0];
-        let d = other[1] / own_white[1] * own[1];
+    fn uvw(&self, sample: Xyz, reference: &Judge) -> Result<[f32; 3], RenderingError> {
+        let own = cd(sample.uv1960().ok_or(RenderingError::Unreal)?);
+        let c = reference.white_cd[0] / self.white_cd[0] * own[0];
+        let d = reference.white_cd[1] / self.white_cd[1] * own[1];
         let bottom = 16.518 + 1.481 * c - d;
         let (u, v) = ((10.872 + 0.404 * c - 4.0 * d) / bottom, 5.520 / bottom);
-        let w = 25.0 * cbrt(xyz.y) - 17.0;
+        let w = 25.0 * cbrt(sample.y) - 17.0;
         Ok([13.0 * w * (u - reference.white.u), 13.0 * w * (v - reference.white.v), w])
     }
 }

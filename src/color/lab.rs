@@ -72,7 +72,7 @@ impl Xyz {
     /// [`Xyz::lab`] by the functions of `M`.
     ///
     /// # Accuracy
-    /// As [`Xyz::lab`] by [`Fast`](crate::math::Fast), 19 units by [`Micromath`](crate::math)'s cube root.
+    /// As [`Xyz::lab`] by [`Fast`](crate::math::Fast), 8 units by [`Micromath`](crate::math)'s cube root.
     #[must_use]
     pub fn lab_with<M: Math>(self, white: Xyz) -> Option<Lab> {
         self.lab_by(white, M::cbrt)

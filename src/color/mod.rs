@@ -19,6 +19,8 @@ mod reference;
 mod rgb;
 mod rgb_space;
 #[cfg(feature = "libm")]
+mod test_colors;
+#[cfg(feature = "libm")]
 mod tm30;
 pub mod transfer;
 mod xyz;

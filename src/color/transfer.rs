@@ -40,7 +40,7 @@ pub trait Transfer: Copy + 'static {
 /// 0.0031308, 0.04045).
 ///
 /// # Accuracy
-/// Encoding is within 8e-8, decoding and the way there and back within 1.2e-7, on 0 to 1.
+/// Encoding is within 9e-8, decoding and the way there and back within 1.2e-7, on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Srgb;

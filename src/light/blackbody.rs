@@ -63,7 +63,7 @@ pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
 /// small for f32.
 ///
 /// # Accuracy
-/// (2 |dx| + 8) units of 2^-24 with dx the difference of hc / (lambda k T) to 560 nm; 0 or infinite
+/// (4 |dx| + 12) units of 2^-24 with dx the difference of hc / (lambda k T) to 560 nm; 0 or infinite
 /// where the ratio itself is beyond f32 (some K).
 #[cfg(feature = "libm")]
 #[must_use]

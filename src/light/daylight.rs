@@ -48,9 +48,15 @@ fn locus(cct_k: f32) -> Xy {
 
 /// As [`daylight`], at any temperature: references above 25000 K follow the same formula.
 pub(crate) fn spectrum(cct_k: f32) -> Daylight {
+    let [m1, m2] = factors(cct_k);
+    S0 + S1 * m1 + S2 * m2
+}
+
+/// M1 and M2, the shares of S1 and S2.
+pub(crate) fn factors(cct_k: f32) -> [f32; 2] {
     let Xy { x, y } = locus(cct_k);
     let m = 0.0241 + 0.2562 * x - 0.7341 * y;
     let m1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / m;
     let m2 = (0.0300 - 31.4424 * x + 30.0717 * y) / m;
-    S0 + S1 * m1 + S2 * m2
+    [m1, m2]
 }

@@ -13,4 +13,4 @@ pub use illuminants::*;
 #[cfg(feature = "libm")]
 pub(crate) use blackbody::{C2_COLOR_NM, relative as blackbody_shape};
 #[cfg(feature = "libm")]
-pub(crate) use daylight::spectrum as daylight_at;
+pub(crate) use daylight::{factors as daylight_factors, spectrum as daylight_at};

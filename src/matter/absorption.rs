@@ -171,7 +171,7 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
     /// The share that stays in `path_m` metres, 0..=1: 1 - exp(-sigma d), also where that is 1e-20.
     ///
     /// # Accuracy
-    /// 4 units of 2^-24, relative.
+    /// 2 units of 2^-24, relative.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn absorbed(&self, path_m: f32) -> Spectrum<Factor, N, G> {

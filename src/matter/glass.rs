@@ -23,7 +23,7 @@ pub trait Glass {
     /// not disperse at all, or has no index at one of these lines.
     ///
     /// # Accuracy
-    /// 2e-5 relative for glasses of numbers up to 70: the difference of two indices in f32.
+    /// 1e-5 relative for glasses of numbers up to 70: the difference of two indices in f32.
     ///
     /// ```
     /// # use nanospectra::matter::{Glass, N_BK7};
@@ -44,7 +44,7 @@ pub trait Glass {
 ///
 /// # Accuracy
 /// 1.2e-7 relative, of what the coefficients say, within the quoted ranges from 380 to 1000 nm; towards a resonance it
-/// loses all digits (N-SF11 at 238 nm: 1e-3).
+/// loses all digits.
 ///
 /// ```
 /// # use nanospectra::matter::{Glass, N_BK7};

@@ -39,7 +39,7 @@ impl TrowbridgeReitz {
     /// Area of facets whose normal is `wm`, for each area of surface and each sr; 0 below the horizon.
     ///
     /// # Accuracy
-    /// 16 units of 2^-24 relative, at every alpha.
+    /// 8 units of 2^-24 relative, at every alpha.
     #[must_use]
     pub fn d(self, wm: Direction) -> f32 {
         if wm.cos_theta() <= 0.0 {

@@ -30,6 +30,8 @@ mod fluorescence;
 mod phosphorescence;
 mod polarisation;
 
+#[cfg(feature = "libm")]
+pub(crate) use samples::TCS_5NM;
 pub use samples::{CES, TCS};
 
 pub use brdf::{Brdf, Lambert};

@@ -95,11 +95,11 @@ impl<const N: usize, G> Priced for Mueller<N, G> {
 /// ```
 ///
 /// # Accuracy
-/// 5e-7 of the incident light, up to 89 degrees, and its phase 3e-7; beside the critical angle what the rounding of
+/// 8e-7 of the incident light, up to 89 degrees, and its phase 3e-7; beside the critical angle what the rounding of
 /// the cosine costs (`tests/polarisation.rs`).
 ///
 /// # Cost
-/// 16 bytes for each bin. Light off two mirrors to XYZ takes 800 instructions at 31 bins on a Cortex-M4F; folded into
+/// 16 bytes for each bin and 8. Light off two mirrors to XYZ takes 800 instructions at 31 bins on a Cortex-M4F; folded into
 /// the eye none.
 pub struct Mirror<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
 

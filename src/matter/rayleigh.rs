@@ -6,7 +6,7 @@ const MOLECULES_1E31_PER_M3: f32 = 2.546_899e-6;
 /// n - 1 of dry air with 300 ppm CO2, at 288.15 K and 101325 Pa, for `nm` 185..=2000 (vacuum).
 ///
 /// # Accuracy
-/// 3e-7, relative, beside the formula in f64.
+/// 2e-7, relative, beside the formula in f64.
 ///
 /// # Reference
 /// Peck and Reeder 1972, as quoted by Bodhaine et al. 1999, eq. 4.

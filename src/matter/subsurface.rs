@@ -102,7 +102,7 @@ impl<const N: usize, G: Grid> Burley<N, G> {
     /// A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing leaves). A negative `r` gives NaN.
     ///
     /// # Accuracy
-    /// (r / d + 6) units of 2^-24, relative.
+    /// (r / d + 4) units of 2^-24, relative.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn times_radius(&self, r: f32) -> Spectrum<Factor, N, G> {
@@ -155,7 +155,7 @@ impl<const N: usize, G: Grid> Burley<N, G> {
 /// outside 0..=1. The inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4, for placing samples.
 ///
 /// # Accuracy
-/// 1e-6, relative, of the share as rounded.
+/// 4e-7, relative, of the share as rounded.
 #[cfg(feature = "libm")]
 #[must_use]
 pub fn burley_distance(share: f32) -> f32 {

@@ -69,7 +69,7 @@ impl<I: FilmIndices> ThinFilm<I> {
     /// `nm`, above 0 and up to 1e9, is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
     ///
     /// # Accuracy
-    /// 8 units of 2^-24, relative, for the faintest film; 2e-6 absolute for indices of 1 to 4 and cosines from 0.05,
+    /// 12 units of 2^-24, relative, for the faintest film; 2e-6 absolute for indices of 1 to 4 and cosines from 0.05,
     /// the phase being kept to 48 bits, for a film of 10 cm too.
     #[cfg(feature = "libm")]
     #[must_use]

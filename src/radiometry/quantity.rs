@@ -120,7 +120,7 @@ macro_rules! quantity {
             /// All the power on the grid: the integral over the wavelength.
             ///
             /// # Accuracy
-            /// 8 units of 2^-24, relative.
+            /// 4 units of 2^-24, relative.
             #[must_use]
             pub fn radiant(&self) -> $name<Radiant> {
                 $name(Radiant(self.0.power()))

@@ -49,7 +49,7 @@ fn cap(half_angle_rad: f32) -> f32 {
 /// A sphere seen from a distance to its centre. From within it is all directions, from its surface half of them.
 ///
 /// # Accuracy
-/// 5 units of 2^-24, relative.
+/// 6 units of 2^-24, relative.
 #[must_use]
 pub fn sphere(radius_m: f32, distance_m: f32) -> f32 {
     let k = to_unity([radius_m, distance_m]);

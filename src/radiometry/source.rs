@@ -56,7 +56,7 @@ impl<V: Carried> SphereSource<V> {
     /// the sphere partly below the surface's horizon. Within the sphere it is pi L.
     ///
     /// # Accuracy
-    /// That of [`to_sphere`](crate::radiometry::form_factor::to_sphere), and of a cosine: 2e-7 absolute.
+    /// 4e-7 of what it would be straight ahead.
     ///
     /// ```
     /// use nanospectra::radiometry::{Nit, SphereSource};

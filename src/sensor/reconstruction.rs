@@ -43,7 +43,7 @@ pub const ALPHA: f32 = 1e-2;
 /// The matrix is within 1.2e-6 of its largest entry for channels like the AS7341's at every alpha from 1e-6 to
 /// 0.1, 6e-6 for channels 80 nm wide and 6e-5 for 120 nm: a QR factor of the damped sensor, not its normal
 /// equations, which fail there in f32. Seen by an eye, an AS7341 with *known* responsivities measures the lamps
-/// of CIE 15 within 0.9 % in illuminance and 1.8 % in CCT in the mean, 3.3 and 7 % at worst
+/// of CIE 15 within 0.9 % in illuminance and 1.8 % in CCT in the mean, 3.4 and 7 % at worst
 /// (`tests/sensor_as7341.rs`).
 ///
 /// # Cost
@@ -191,7 +191,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     /// be negative in places: [`nonnegative_spectrum`](super::nonnegative_spectrum) is not.
     ///
     /// # Accuracy
-    /// 8 units of 2^-24 of the sum of the terms' sizes, and the same bits on every target.
+    /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
     #[must_use]
     #[inline]
     pub fn spectrum(&self, basic: &BasicCounts<C>) -> Light<N, G> {

@@ -88,14 +88,7 @@ impl Place {
     /// CIE 167:2005: the quintic over samples `cell - 2 ..= cell + 3`; two beyond each end come
     /// from the boundary formula, whose weights are added to those of the six samples there.
     const fn sprague(cell: usize, t: f32, n: usize) -> Self {
-        let quintic = [
-            t * (2.0 + t * (-1.0 + t * (-9.0 + t * (13.0 - 5.0 * t)))) / 24.0,
-            t * (-16.0 + t * (16.0 + t * (39.0 + t * (-64.0 + 25.0 * t)))) / 24.0,
-            1.0 + t * t * (-30.0 + t * (-70.0 + t * (126.0 - 50.0 * t))) / 24.0,
-            t * (16.0 + t * (16.0 + t * (66.0 + t * (-124.0 + 50.0 * t)))) / 24.0,
-            t * (-2.0 + t * (-1.0 + t * (-33.0 + t * (61.0 - 25.0 * t)))) / 24.0,
-            t * t * t * (7.0 + t * (-12.0 + 5.0 * t)) / 24.0,
-        ];
+        let quintic = quintic(t);
         let mut start = cell.saturating_sub(2);
         if start + 6 > n {
             start = n - 6;
@@ -106,14 +99,14 @@ impl Place {
             // Sample cell - 2 + j, or its stand-in beyond an end.
             let k = cell + j;
             if k < 2 {
-                let outer = if k == 0 { &SECOND_BEYOND } else { &FIRST_BEYOND };
+                let outer = &BEYOND[if k == 0 { 1 } else { 0 }];
                 let mut i = 0;
                 while i < 6 {
                     weights[i] += quintic[j] * outer[i];
                     i += 1;
                 }
             } else if k - 2 >= n {
-                let outer = if k - 2 > n { &SECOND_BEYOND } else { &FIRST_BEYOND };
+                let outer = &BEYOND[if k - 2 > n { 1 } else { 0 }];
                 let mut i = 0;
                 while i < 6 {
                     weights[5 - i] += quintic[j] * outer[i];
@@ -128,10 +121,20 @@ impl Place {
     }
 }
 
-/// The sample one step beyond an end, from the six inside, nearest first.
-const FIRST_BEYOND: [f32; 6] =
-    [508.0 / 209.0, -540.0 / 209.0, 488.0 / 209.0, -367.0 / 209.0, 144.0 / 209.0, -24.0 / 209.0];
+/// Sprague's weights of six samples, from two before `t` to three after, 0 <= t <= 1 between the middle ones.
+pub(crate) const fn quintic(t: f32) -> [f32; 6] {
+    [
+        t * (2.0 + t * (-1.0 + t * (-9.0 + t * (13.0 - 5.0 * t)))) / 24.0,
+        t * (-16.0 + t * (16.0 + t * (39.0 + t * (-64.0 + 25.0 * t)))) / 24.0,
+        1.0 + t * t * (-30.0 + t * (-70.0 + t * (126.0 - 50.0 * t))) / 24.0,
+        t * (16.0 + t * (16.0 + t * (66.0 + t * (-124.0 + 50.0 * t)))) / 24.0,
+        t * (-2.0 + t * (-1.0 + t * (-33.0 + t * (61.0 - 25.0 * t)))) / 24.0,
+        t * t * t * (7.0 + t * (-12.0 + 5.0 * t)) / 24.0,
+    ]
+}
 
-/// The sample two steps beyond an end.
-const SECOND_BEYOND: [f32; 6] =
-    [884.0 / 209.0, -1960.0 / 209.0, 3033.0 / 209.0, -2648.0 / 209.0, 1080.0 / 209.0, -180.0 / 209.0];
+/// The sample one step beyond an end, and the one two steps beyond, from the six inside, nearest first.
+pub(crate) const BEYOND: [[f32; 6]; 2] = [
+    [508.0 / 209.0, -540.0 / 209.0, 488.0 / 209.0, -367.0 / 209.0, 144.0 / 209.0, -24.0 / 209.0],
+    [884.0 / 209.0, -1960.0 / 209.0, 3033.0 / 209.0, -2648.0 / 209.0, 1080.0 / 209.0, -180.0 / 209.0],
+];

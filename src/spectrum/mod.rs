@@ -16,3 +16,6 @@ pub use interpolate::Interpolation;
 pub use quantity::{Factor, Index, PerBin, Power, Quantity};
 pub use samples::{Outside, SamplesError};
 pub use series::{Fine, Light, Reflectance, Spectrum};
+
+#[cfg(feature = "libm")]
+pub(crate) use interpolate::{BEYOND, quintic};

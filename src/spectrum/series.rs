@@ -175,7 +175,7 @@ impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
     /// All the power on the grid: the sum of the bins times their width. In W for W/nm.
     ///
     /// # Accuracy
-    /// 8 units of 2^-24, relative, for positive values.
+    /// 4 units of 2^-24, relative, for positive values.
     #[must_use]
     pub fn power(&self) -> f32 {
         crate::observer::sum(&self.0) * Self::WIDTH_NM
@@ -186,7 +186,7 @@ impl<const N: usize, G: Grid> Spectrum<PerBin, N, G> {
     /// What all bins hold together.
     ///
     /// # Accuracy
-    /// 8 units of 2^-24, relative, for positive values.
+    /// 4 units of 2^-24, relative, for positive values.
     #[must_use]
     pub fn total(&self) -> f32 {
         crate::observer::sum(&self.0)

@@ -12,7 +12,7 @@ use crate::spectrum::{Factor, Spectrum};
 /// Mixing nothing is NaN; a share of an ideal black makes black.
 ///
 /// # Accuracy
-/// 1e-6 for reflectances within 0.001..=1; one paint, or the same one twice, comes back so.
+/// 3e-7 relative for reflectances within 0.001..=1; one paint, or the same one twice, comes back so.
 ///
 /// # Reference
 /// P. Kubelka, F. Munk, "Ein Beitrag zur Optik der Farbanstriche", Z. techn. Physik 12 (1931).

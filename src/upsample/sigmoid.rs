@@ -28,12 +28,12 @@ use core::marker::PhantomData;
 /// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81 every one of the 2^24
 /// 8-bit sRGB colours comes back as its code, for the 2 degree eye, within 0.00042 (`Cubic`), 0.00035 (`Linear`) and 0.00034 CIEDE2000 (`Quintic`)
 /// (`tests/upsample_all.rs`). Of a 17^3 cube, encoded by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020
-/// 78.2 %, of Adobe RGB 95 %, of ACEScg 68 % on 60 and 81 bands (96.0 and 77.4 % on 31; of BT.2020 in the code values
+/// 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4 % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values
 /// of BT.1886 74.6 %); the others are outside what sigmoids of a quadratic can be, and say so. With fewer than 31
 /// bands, or wider than 10 nm, more colours need damped steps (N = 16: none of sRGB is missed).
 ///
 /// # Cost
-/// 2 to 6 steps; at N = 31 385 ns a colour in the mean on x86-64, 4500 instructions on a Cortex-M4F (7900 at
+/// 2 to 6 steps; 385 ns a colour in the mean at N = 31 on x86-64, 4500 instructions on a Cortex-M4F (7900 at
 /// most).
 ///
 /// # Reference
@@ -214,7 +214,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// Eight reflectances at once, the same bits as [`reflectance`](Self::reflectance) one by one.
     ///
     /// # Cost
-    /// At N = 31 140 ns a colour for x86-64-v3, 295 ns for the default x86-64 target.
+    /// 140 ns a colour at N = 31 for x86-64-v3, 295 ns for the default x86-64 target.
     #[must_use]
     pub fn reflectance_8(&self, rgb: &[Rgb<S>; 8]) -> [Solved<SigmoidReflectance>; 8] {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };

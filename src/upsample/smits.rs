@@ -13,8 +13,8 @@ use core::marker::PhantomData;
 /// through white alone, or through white and one of cyan, magenta, yellow.
 ///
 /// # Accuracy
-/// It does not give the colour back, not even to 8 bits: in the original ten bins 0.03 CIEDE2000 in the mean
-/// under equal energy and 0.9 (up to 2.1) under D65. What it is for a colour at hand is
+/// It does not give the colour back, not even to 8 bits: 0.9 CIEDE2000 in the mean and up to 2.1 under
+/// D65. What it is for a colour at hand is
 /// [`Viewing::delta_e`](super::Viewing::delta_e). Values reach 1.015, and a grey ripples by 8e-4.
 ///
 /// # Cost

@@ -84,6 +84,7 @@ inside() {
     done
     echo "$1 $2 bytes" >>"$measured"
     for image in $counting; do
+        [[ $image != backends ]] || continue # `Libm` is there to show what soft f64 costs
         lacks "$label: $image" "$images/$image" "soft f64" "$f64"
     done
     # The searches must find what is there: `count` prints, and the run-time library has every soft f64.
@@ -93,9 +94,9 @@ inside() {
 }
 
 # Images that print "what number unit" (no unit: instructions), and those whose flash has a price. Colours to spectra
-# are counted where there is an FPU: elsewhere one colour takes more than the counter can hold.
-counting="count price price_whole"
-counting_with_fpu="upsample_count path_count path_folded"
+# are not counted on the M0: one takes more than its counter can hold.
+counting="count surface_count path_count path_folded yardsticks backends price price_whole"
+counting_elsewhere="upsample_count"
 priced="fold16 counts_f32 counts_fixed upsample"
 
 # device_costs <target> <profile>
@@ -103,9 +104,7 @@ device_costs() {
     local label="$1 $2" image
     can_run "$1" "$label, costs" || return 0
     local images=$counting
-    case $1 in
-    $m4f | $m33) images="$images $counting_with_fpu" ;;
-    esac
+    [[ $1 == "$m0" ]] || images="$images $counting_elsewhere"
     measuring "$label" "$1" "$2" empty $images $priced || return 0
     for image in $images; do
         boot "$label" "$CARGO_TARGET_DIR/$1/$2/$image" "$out/count.device" || continue
@@ -154,7 +153,7 @@ for profile in release small; do
     fi
 done
 for what in path-surface path-glass-surface; do
-    for row in "$m4f release" "$m4f small" "$m33 release" "$m33 small"; do
+    for row in {$m4f,$m33,$m0,$rv32}" "{release,small}; do
         numbers=$(awk -v row="$row" -v what="$what" '
             $1 " " $2 == row && $3 == what { path = $4 }
             $1 " " $2 == row && $3 == what "-by-hand" { hand = $4 }

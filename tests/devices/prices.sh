@@ -1,8 +1,9 @@
 # The price list for the README: what is on record, as tables.
 
-# prices <file>: instructions of each call on each core, "release / small"; then stack and flash likewise.
+# prices <file>: instructions of each call on each core, "release / small"; then stack and flash likewise; then the
+# functions of each maths backend on each core.
 prices() {
-    local unit
+    local unit target
     for unit in instructions stack-bytes bytes; do
         awk -v unit=$unit -v cores="$m4f $m33 $m0 $rv32" '
             BEGIN {
@@ -11,7 +12,7 @@ prices() {
                 title["bytes"] = "bytes of flash"
                 count = split(cores, core, " ")
             }
-            /^#/ || $5 != unit { next }
+            /^#/ || $5 != unit || $3 ~ /^maths-.*-/ { next }
             # Code and tables of an image are one price.
             { what = $3; sub(/-(code|tables)$/, "", what) }
             !(what in known) { known[what] = 1; name[++names] = what }
@@ -24,6 +25,25 @@ prices() {
                     row = "| `" name[n] "` |"
                     for (c = 1; c <= count; c++)
                         row = row " " cell(name[n], core[c], "release") " / " cell(name[n], core[c], "small") " |"
+                    print row
+                }
+                print ""
+            }' "$1"
+    done
+    for target in $boards; do
+        awk -v core=$target '
+            BEGIN { count = split("fast portable libm micromath", backend, " ") }
+            $1 != core || !match($3, /^maths-.*-/) { next }
+            { what = substr($3, 7, RLENGTH - 7); by = substr($3, RLENGTH + 1) }
+            !(what in known) { known[what] = 1; name[++names] = what }
+            { price[what, by, $2] = $4 }
+            END {
+                print "| instructions on " core ", fast / small | `Fast` | `Portable` | `Libm` | `Micromath` |"
+                print "|---|---:|---:|---:|---:|"
+                for (n = 1; n <= names; n++) {
+                    row = "| " name[n] " |"
+                    for (b = 1; b <= count; b++)
+                        row = row " " price[name[n], backend[b], "release"] " / " price[name[n], backend[b], "small"] " |"
                     print row
                 }
                 print ""

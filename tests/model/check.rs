@@ -12,7 +12,11 @@ pub struct Check {
     worst: f64,
     worst_at: String,
     failures: Vec<String>,
+    hold: Option<Hold>,
 }
+
+/// Judges what a check has measured: its name, and the largest error in both its parts, absolute and relative.
+pub type Hold = fn(&'static str, [f64; 2]);
 
 impl Check {
     pub fn new(what: &'static str, absolute: f64, relative: f64) -> Check {
@@ -24,7 +28,13 @@ impl Check {
             worst: 0.0,
             worst_at: String::new(),
             failures: Vec::new(),
+            hold: None,
         }
+    }
+
+    /// Holds the largest error to what `hold` says, besides.
+    pub fn held_to(self, hold: Hold) -> Check {
+        Check { hold: Some(hold), ..self }
     }
 
     /// Compares with one cell of a golden.
@@ -78,5 +88,8 @@ impl Check {
             shown.join("\n")
         );
         assert_eq!(self.compared, expected, "{}: numbers compared", self.what);
+        if let Some(hold) = self.hold {
+            hold(self.what, [self.absolute, self.relative].map(|allowed| self.worst * allowed));
+        }
     }
 }

@@ -61,6 +61,16 @@ fn nm(i: usize) -> f64 {
     360.0 + i as f64 / 10.0
 }
 
+/// Every 0.1 nm from 360 to 830.
+pub fn nodes() -> impl Iterator<Item = f64> {
+    (0..NODES).map(nm)
+}
+
+/// A curve at the [`nodes`].
+pub fn values(curve: &Curve) -> Vec<f64> {
+    nodes().map(|nm| curve.at(nm)).collect()
+}
+
 /// The observer every 0.1 nm, times the trapezoid's weights and a light: made once, it prices
 /// many surfaces.
 pub struct FineEye {
@@ -86,7 +96,21 @@ impl FineEye {
     }
 
     pub fn sees(&self, surface: &Curve) -> [f64; 3] {
-        let values: Vec<f64> = (0..NODES).map(|i| surface.at(nm(i))).collect();
-        self.rows.each_ref().map(|row| self.scale * row.iter().zip(&values).map(|(w, r)| w * r).sum::<f64>())
+        self.sees_values(&values(surface))
+    }
+
+    /// The same of a surface known every 0.1 nm, as [`values`] has it.
+    pub fn sees_values(&self, surface: &[f64]) -> [f64; 3] {
+        self.rows.each_ref().map(|row| self.scale * row.iter().zip(surface).map(|(w, r)| w * r).sum::<f64>())
+    }
+
+    /// What makes Y = 100 of the sum of power times y-bar.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Each row at the [`nodes`], light, trapezoid and scale in it.
+    pub fn weights(&self) -> [Vec<f64>; 3] {
+        self.rows.each_ref().map(|row| row.iter().map(|weight| self.scale * weight).collect())
     }
 }

@@ -3,7 +3,10 @@
 //! | image        | question |
 //! |--------------|----------|
 //! | `bits`       | does this target compute the same bits as the host? |
+//! | `hard`       | what does an FPU make of the hard cases, with and without subnormal numbers? |
 //! | `count`      | how many instructions does a call take? |
+//! | `yardsticks` | how many do the methods of others take? |
+//! | `backends`   | how many do the functions of each maths backend take? |
 //! | `price`      | how many does each step of a reading take, and how much stack? |
 //! | `price_whole` | how many does a whole reading take? |
 //! | `empty`      | how many bytes does a program need that measures nothing? |
@@ -12,6 +15,7 @@
 //! | `counts_fixed` | how many when it does so in integers? |
 //! | `upsample` | how many when it finds the spectrum of an RGB? |
 //! | `upsample_count` | how many instructions does that take? |
+//! | `surface_count` | how many does light take over a surface, with how many bands? |
 //! | `path_count` | how many instructions does light take along a path? |
 //! | `path_folded` | how many when the path is folded into the eye? |
 //! | `path_plain` | does a path without effects bring any of them along? |
@@ -34,3 +38,5 @@ pub mod readings;
 pub mod stack;
 pub mod steps;
 pub mod vest;
+#[path = "../../cost/yardstick/mod.rs"]
+pub mod yardstick;

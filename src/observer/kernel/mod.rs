@@ -5,22 +5,42 @@
 //! left to the compiler or to the width of its vectors. Multiplication and addition are rounded
 //! apart (no fused multiply-add), for the same reason.
 //!
-//! Three ways to do the same additions: `scalar` for cores without vectors, `lanes` for what the
-//! compiler vectorises, `vector` with the `wide` crate.
+//! Four ways to do the same additions: `scalar` for cores without vectors, `x86` with the vectors of x86-64, and
+//! elsewhere `vector` with the `wide` crate or `lanes` for what the compiler vectorises.
 
-#[cfg(all(not(feature = "simd"), not(target_os = "none")))]
+#[cfg(all(not(feature = "simd"), not(target_arch = "x86_64"), not(target_os = "none")))]
 mod lanes;
 #[cfg(target_os = "none")]
 mod scalar;
-#[cfg(all(feature = "simd", not(target_os = "none")))]
+#[cfg(all(feature = "simd", not(target_arch = "x86_64"), not(target_os = "none")))]
 mod vector;
+#[cfg(all(target_arch = "x86_64", not(target_os = "none")))]
+mod x86;
 
-#[cfg(all(not(feature = "simd"), not(target_os = "none")))]
+#[cfg(all(not(feature = "simd"), not(target_arch = "x86_64"), not(target_os = "none")))]
 pub(crate) use lanes::rows;
 #[cfg(target_os = "none")]
 pub(crate) use scalar::rows;
-#[cfg(all(feature = "simd", not(target_os = "none")))]
+#[cfg(all(feature = "simd", not(target_arch = "x86_64"), not(target_os = "none")))]
 pub(crate) use vector::rows;
+#[cfg(all(target_arch = "x86_64", target_feature = "avx", not(target_os = "none")))]
+pub(crate) use x86::each;
+#[cfg(all(target_arch = "x86_64", not(target_os = "none")))]
+pub(crate) use x86::rows;
+
+/// Every spectrum of a batch, one by one; the shorter of the two slices says how many.
+#[cfg(any(not(all(target_arch = "x86_64", target_feature = "avx")), target_os = "none"))]
+#[inline]
+pub(crate) fn each<T, const C: usize, const N: usize>(
+    rows: &[[f32; N]; C],
+    spectra: &[T],
+    values: impl Fn(&T) -> &[f32; N],
+    reports: &mut [[f32; C]],
+) {
+    for (spectrum, report) in spectra.iter().zip(reports) {
+        *report = self::rows(rows, values(spectrum));
+    }
+}
 
 /// What 8 lanes come to; the order in which a 128- or 256-bit vector folds in half.
 #[inline]

@@ -16,7 +16,7 @@ use core::f32::consts::FRAC_1_PI;
 /// # Accuracy
 /// 1.7e-5, relative, for quadrilaterals of moderate proportions above the horizon, however small or far; cut by the
 /// horizon 1e-6 of what the whole would be straight ahead and turned towards the point. Slender ones lose more:
-/// rectangles 20 times as long as wide 1e-4, and seen at a slant slender quadrilaterals up to 7e-3.
+/// rectangles 20 times as long as wide 1e-4, and seen at a slant many times that.
 ///
 /// # Cost
 /// One arc tangent an edge, or for what is small 7 quotients a triangle.

@@ -5,7 +5,7 @@
 #![no_std]
 #![no_main]
 
-use nanospectra::color::{Cct, Lab, Uv1976, Xy, Xyz};
+use nanospectra::color::{Cct, Lab, Uv1976, Xy, Xyz, ciede2000};
 use nanospectra::light::{D65, FL11};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::{Fine, Interpolation, Outside, Power, Reflectance, math};
@@ -13,9 +13,6 @@ use nanospectra_firmware::clock::Clock;
 use semihosting::{println, process};
 
 static FL11_FINE: Fine<Power> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
-static EYE_16: Observer<3, 16> = CIE_1931.under(&FL11_FINE).fold(Curve::Spline).with_white_y(100.0);
-static EYE_31: Observer<3, 31> = CIE_1931.under(&FL11_FINE).fold(Curve::Spline).with_white_y(100.0);
-static EYE_81: Observer<3, 81> = CIE_1931.under(&FL11_FINE).fold(Curve::Spline).with_white_y(100.0);
 static WHITE: Xyz = Xyz { x: 95.047, y: 100.0, z: 108.883 };
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
@@ -23,9 +20,18 @@ static WHITE: Xyz = Xyz { x: 95.047, y: 100.0, z: 108.883 };
 fn main() -> ! {
     let clock = Clock::start();
 
-    count(&clock, "xyz-16", xyz_16, &[Reflectance::flat(0.5)]);
-    count(&clock, "xyz-31", xyz_31, &[Reflectance::flat(0.5)]);
-    count(&clock, "xyz-81", xyz_81, &[Reflectance::flat(0.5)]);
+    folded::<3>(&clock);
+    folded::<8>(&clock);
+    folded::<12>(&clock);
+    folded::<16>(&clock);
+    folded::<20>(&clock);
+    folded::<24>(&clock);
+    folded::<31>(&clock);
+    folded::<36>(&clock);
+    folded::<40>(&clock);
+    folded::<60>(&clock);
+    folded::<81>(&clock);
+    folded::<95>(&clock);
     count(&clock, "xyz-471", xyz_471, &[D65.interpolate(Interpolation::Linear, Outside::Zero)]);
 
     // A pale, a dark, a strong blue and a strong red: both sides of Lab's knee.
@@ -33,6 +39,16 @@ fn main() -> ! {
     count(&clock, "xy", xy, &colors);
     count(&clock, "uv1976", uv1976, &colors);
     count(&clock, "lab", lab, &colors);
+
+    // Blues (Sharma's first pair), opposite hues (his tenth), a grey beside a colour.
+    let pairs = [
+        [[50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485]],
+        [[50.0, -0.001, 2.49], [50.0, 0.0011, -2.49]],
+        [[60.2574, -34.0099, 36.2677], [60.4626, -34.1751, 39.4387]],
+        [[50.0, 0.0, 0.0], [50.0, -1.0, 2.0]],
+    ]
+    .map(|pair| pair.map(|[l, a, b]| Lab { l, a, b }));
+    count(&clock, "ciede2000", difference, &pairs);
 
     // Candle, incandescent, fluorescent, daylight, overcast sky, clear sky; green and pink of the locus.
     let lights = [
@@ -59,19 +75,15 @@ fn count<A, R: Default>(clock: &Clock, name: &str, f: fn(&A, &mut R), inputs: &[
     println!("{name} {}", longest.unwrap_or(0));
 }
 
-#[inline(never)]
-fn xyz_16(paper: &Reflectance<16>, xyz: &mut [f32; 3]) {
-    *xyz = EYE_16.sees(paper);
+/// A surface of N bands to XYZ, the lamp folded into the eye.
+fn folded<const N: usize>(clock: &Clock) {
+    println!("xyz-{N} {}", clock.count(xyz::<N>, &Reflectance::flat(0.5), &mut [0.0; 3]));
 }
 
 #[inline(never)]
-fn xyz_31(paper: &Reflectance<31>, xyz: &mut [f32; 3]) {
-    *xyz = EYE_31.sees(paper);
-}
-
-#[inline(never)]
-fn xyz_81(paper: &Reflectance<81>, xyz: &mut [f32; 3]) {
-    *xyz = EYE_81.sees(paper);
+fn xyz<const N: usize>(paper: &Reflectance<N>, xyz: &mut [f32; 3]) {
+    let eye: &Observer<3, N> = const { &CIE_1931.under(&FL11_FINE).fold(Curve::Spline).with_white_y(100.0) };
+    *xyz = eye.sees(paper);
 }
 
 #[inline(never)]
@@ -92,6 +104,11 @@ fn uv1976(xyz: &Xyz, out: &mut Option<Uv1976>) {
 #[inline(never)]
 fn lab(xyz: &Xyz, out: &mut Option<Lab>) {
     *out = xyz.lab(WHITE);
+}
+
+#[inline(never)]
+fn difference([x, y]: &[Lab; 2], out: &mut f32) {
+    *out = ciede2000(*x, *y);
 }
 
 #[inline(never)]

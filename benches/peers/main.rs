@@ -1,0 +1,32 @@
+//! How many times as fast as others, by one command, in one run:
+//!
+//! ```text
+//! cargo bench --bench peers [-- --json FILE]
+//! ```
+//!
+//! Every result is compared with f64 before it is timed. `RUSTFLAGS="-C target-cpu=x86-64-v3"` builds for AVX2, which
+//! changes no number. Times wobble, so a missed bar fails nothing; what may not grow is gated on instruction counts.
+
+mod color;
+#[path = "../../tests/model/mod.rs"]
+mod model;
+mod observer;
+mod race;
+mod upsample;
+#[path = "../yardsticks/mod.rs"]
+mod yardsticks;
+
+use race::Races;
+
+fn main() -> std::io::Result<()> {
+    let arguments: Vec<String> = std::env::args().collect();
+    let mut races = Races::new(arguments.iter().any(|a| a == "--test"));
+    observer::all(&mut races);
+    color::all(&mut races);
+    upsample::all(&mut races);
+    races.print();
+    if let Some(file) = arguments.iter().skip_while(|a| *a != "--json").nth(1) {
+        std::fs::write(file, serde_json::to_string_pretty(&races.json())? + "\n")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,62 @@
+//! RGB to spectrum, 31 bands: the crate `rgb2spec` reads a table of 16^3 cells, this one solves.
+
+use crate::race::Races;
+use nanospectra::color::{EncodedRgb, Rgb, Srgb};
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{Basis, Sigmoid, Viewing};
+use nanospectra::{Curve, Interpolation, Nodes, Outside, light::D65};
+use rgb2spec::optimize::{gamut::Gamut, optimize};
+use std::hint::black_box;
+
+type Grid = Nodes<400, 700>;
+
+pub fn all(races: &mut Races) {
+    let light = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let viewing: Viewing<31, Grid> = Viewing::new(&CIE_1931.under(&light).fold(Curve::Step));
+    let sigmoid: Sigmoid<31, Grid> = Sigmoid::new(&viewing);
+    let basis = Basis::new(&viewing);
+    let table = optimize(Gamut::SRGB, 16).expect("a table");
+    let read = |rgb: [f32; 3]| {
+        let coefficients = table.fetch(rgb);
+        core::array::from_fn::<f32, 31, _>(|k| rgb2spec::eval_precise(coefficients, 400.0 + 10.0 * k as f32))
+    };
+    assert!((read([0.5; 3])[15] - 0.5).abs() < 1e-2);
+
+    let mut state = 12345u32;
+    let mut next = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    };
+    let codes: Vec<[u8; 3]> = (0..4096).map(|_| [next(), next(), next()]).collect();
+    let colours: Vec<Rgb<Srgb>> = codes.iter().map(|c| EncodedRgb::<Srgb>::from_u8(*c).decode()).collect();
+    for (code, rgb) in codes.iter().zip(&colours) {
+        assert_eq!(viewing.rgb(&sigmoid.reflectance(*rgb).spectrum.on_grid()).encode().to_u8(), *code);
+        assert_eq!(viewing.rgb(&basis.reflectance(*rgb)).encode().to_u8(), *code);
+    }
+
+    let (mut at, mut other, n) = (0, 0, colours.len());
+    let theirs = &mut || {
+        other = (other + 1) % n;
+        read(black_box(colours[other].to_array()))
+    };
+    races.run(
+        "RGB to 31 bands, Sigmoid",
+        None,
+        1.0,
+        || {
+            at = (at + 1) % n;
+            sigmoid.reflectance(black_box(colours[at])).spectrum.on_grid::<31, Grid>()
+        },
+        ("rgb2spec, 16^3 cells", &mut *theirs),
+    );
+    races.run(
+        "RGB to 31 bands, Basis",
+        None,
+        1.0,
+        || {
+            at = (at + 1) % n;
+            basis.reflectance(black_box(colours[at]))
+        },
+        ("rgb2spec, 16^3 cells", theirs),
+    );
+}

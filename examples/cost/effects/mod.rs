@@ -1,0 +1,13 @@
+//! What it shows in colour to leave an effect out, beside what the effect costs.
+
+mod bands;
+mod films;
+mod others;
+mod scenes;
+
+use crate::report::Table;
+use crate::studies::Effort;
+
+pub fn tables(effort: &Effort) -> Vec<Table> {
+    vec![scenes::table(), bands::table(), others::table(), films::table(effort)]
+}

@@ -1,0 +1,70 @@
+//! The scenes that come with the program `scene`, each without one of its parts.
+
+use crate::answer::Answer;
+use crate::bundled;
+use crate::cells::{COUNTED, RANGE, counted, range};
+use crate::failure::Failure;
+use crate::file::{self, Recipe};
+use crate::grids;
+use crate::report::{Cell, Column, Table};
+use std::path::Path;
+
+pub const SCENES: [&str; 6] = ["paper", "vest", "asphalt", "soap", "wine", "window"];
+
+pub const LAMPS: [&str; 8] = ["A", "D65", "FL2", "FL7", "FL11", "LED-B1", "LED-B3", "LED-RGB1"];
+
+/// What devices count nearest to a part with an effect: a whole path of 31 bands.
+const PATHS: [(&str, &str); 5] = [
+    ("fluorescence", "path-dye"),
+    ("polarisation", "path-two-mirrors"),
+    ("absorption", "path-glass-surface"),
+    ("Beer-Lambert", "path-glass-surface"),
+    ("reflection", "path-surface"),
+];
+
+pub fn table() -> Table {
+    let mut columns =
+        vec![Column::key("scene", "scene"), Column::key("part", "without"), Column::key("effect", "effect")];
+    columns.extend(RANGE);
+    columns.push(Column::figure("multiply_adds", "multiply-adds"));
+    columns.extend(COUNTED);
+    Table {
+        id: "effects",
+        title: "Bundled scenes without one of their parts".into(),
+        about: format!(
+            "CIEDE2000 between a scene and the same without the effect of a part (a filter or a film gone, a dye that \
+             does not glow, a mirror that does not polarise), white being white under the bare lamp: over {}. 81 bands; \
+             multiply-adds are those of the part as the scene's bill has them. Instructions: a whole path of 31 bands \
+             with such a part, walked.",
+            LAMPS.join(", ")
+        ),
+        columns,
+        rows: SCENES.into_iter().flat_map(of).collect(),
+    }
+}
+
+fn of(scene: &str) -> Vec<Vec<Cell>> {
+    let answers: Vec<Answer> =
+        LAMPS.iter().filter_map(|lamp| grids::answer(&under(scene, lamp).ok()?, None).ok()).collect();
+    let Some(first) = answers.first().filter(|_| answers.len() == LAMPS.len()) else { return Vec::new() };
+    let parts = first.bill.iter().enumerate().map(|(k, line)| {
+        let lines = answers.iter().filter_map(|answer| answer.bill.get(k));
+        let differences: Vec<f64> = lines.map(|line| line.without_delta_e.into()).collect();
+        let word = PATHS.iter().find(|(effect, _)| *effect == line.effect).map_or("", |(_, word)| word);
+        let mut row = vec![Cell::key(scene), Cell::key(&line.name), Cell::key(line.effect)];
+        row.extend(range(&differences));
+        row.push(Cell::figure(line.price.multiply_adds as f64));
+        row.extend(counted(word));
+        row
+    });
+    parts.collect()
+}
+
+/// A bundled scene with another lamp.
+pub fn under(scene: &str, lamp: &str) -> Result<Recipe, Failure> {
+    let text: Vec<String> = bundled::toml(scene)?
+        .lines()
+        .map(|line| if line.starts_with("cie = ") { format!("cie = \"{lamp}\"") } else { line.to_owned() })
+        .collect();
+    file::parse(scene, scene, Path::new("."), &text.join("\n"))
+}

@@ -1,0 +1,103 @@
+//! The sweep of schemes as a report has it: what advice, chart and README are made of.
+
+use crate::counts::Core;
+use serde_json::Value;
+
+/// Classes of lamps, as the columns of the sweep are called.
+pub const CLASSES: [&str; 6] = ["smooth", "halophosphate", "triphosphor", "led", "hid", "lines"];
+
+/// A scheme on a range with so many bands: CIEDE2000 of each class, and what it costs.
+pub struct Choice {
+    /// nm; `-` of colours.
+    pub range: String,
+    pub scheme: String,
+    pub bands: u32,
+    pub mean: [f64; CLASSES.len()],
+    pub p95: [f64; CLASSES.len()],
+    pub max: [f64; CLASSES.len()],
+    m4f: Option<f64>,
+    m0: Option<f64>,
+    /// Bytes of constants, and of each surface.
+    pub constants: f64,
+    pub surface: f64,
+}
+
+impl Choice {
+    /// Instructions on a core, if counted.
+    pub fn instructions(&self, core: Core) -> Option<f64> {
+        match core {
+            Core::M4F => self.m4f,
+            Core::M0 => self.m0,
+        }
+    }
+
+    /// The mean over the classes of tables: all but lines.
+    pub fn of_lamps(&self) -> f64 {
+        let lamps = &self.mean[..CLASSES.len() - 1];
+        lamps.iter().sum::<f64>() / lamps.len() as f64
+    }
+
+    /// Whether it is the same scheme on the same range with as many bands.
+    pub fn is(&self, range: &str, scheme: &str, bands: u32) -> bool {
+        self.range == range && self.scheme == scheme && self.bands == bands
+    }
+
+    pub fn name(&self) -> String {
+        match self.range.as_str() {
+            "-" => self.scheme.clone(),
+            range => format!("{}, N = {}, {range} nm", self.scheme, self.bands),
+        }
+    }
+}
+
+/// Every choice of a report; none if it has no sweep.
+pub fn choices(report: &Value) -> Vec<Choice> {
+    let spreads = rows(report, "xyz-spread");
+    rows(report, "xyz")
+        .iter()
+        .filter_map(|row| {
+            let spread = spreads.iter().find(|spread| {
+                ["range", "scheme", "bands"].iter().all(|key| text(spread, key) == text(row, key))
+            })?;
+            let each = |row: &Value, ending: &str| {
+                CLASSES.map(|class| number(row, &format!("{class}{ending}")).unwrap_or(f64::INFINITY))
+            };
+            Some(Choice {
+                range: text(row, "range").to_owned(),
+                scheme: text(row, "scheme").to_owned(),
+                bands: text(row, "bands").parse().ok()?,
+                mean: each(row, ""),
+                p95: each(spread, "_p95"),
+                max: each(spread, "_max"),
+                m4f: number(row, "m4f_instructions"),
+                m0: number(row, "m0_instructions"),
+                constants: number(row, "constant_bytes")?,
+                surface: number(row, "surface_bytes")?,
+            })
+        })
+        .collect()
+}
+
+/// The choices for all lamps of tables that no other beats, from cheap to dear.
+pub fn front<'a>(report: &Value, choices: &'a [Choice]) -> Vec<&'a Choice> {
+    let rows = rows(report, "frontier").iter().filter(|row| text(row, "lamps") == "lamps");
+    rows.filter_map(|row| {
+        let bands = text(row, "bands").parse().ok()?;
+        choices.iter().find(|choice| choice.is(text(row, "range"), text(row, "scheme"), bands))
+    })
+    .collect()
+}
+
+/// The rows of a table; none if the report does not have it.
+pub fn rows<'a>(report: &'a Value, table: &str) -> &'a [Value] {
+    report["tables"][table]["rows"].as_array().map_or(&[], |rows| rows)
+}
+
+pub fn text<'a>(row: &'a Value, column: &str) -> &'a str {
+    row[column].as_str().unwrap_or("")
+}
+
+/// `None` for what was not measured.
+pub fn number(row: &Value, column: &str) -> Option<f64> {
+    row[column].as_f64()
+}

@@ -1,0 +1,51 @@
+//! Prints the instructions that N bands of light take over a surface to XYZ, one `name count` per line: nothing folded, for
+//! a light that changes from call to call. (In `path_count`, 31 bands share the eye's loop with other paths.)
+#![no_std]
+#![no_main]
+
+use nanospectra::light::FL11;
+use nanospectra::observer::{CIE_1931, Curve, Observer};
+use nanospectra::{Light, Outside, Power, Reflectance};
+use nanospectra_firmware::clock::Clock;
+use semihosting::{println, process};
+
+struct Parts<const N: usize> {
+    lamp: Light<N>,
+    paper: Reflectance<N>,
+}
+
+impl<const N: usize> Parts<N> {
+    const EYE: &'static Observer<3, N, Power> = &CIE_1931.fold(Curve::Step);
+
+    fn new() -> Self {
+        Parts { lamp: FL11.resample(Outside::Zero), paper: Reflectance::flat(0.5) }
+    }
+}
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    let clock = Clock::start();
+    count::<3>(&clock);
+    count::<8>(&clock);
+    count::<12>(&clock);
+    count::<16>(&clock);
+    count::<20>(&clock);
+    count::<24>(&clock);
+    count::<31>(&clock);
+    count::<36>(&clock);
+    count::<40>(&clock);
+    count::<60>(&clock);
+    count::<81>(&clock);
+    count::<95>(&clock);
+    process::exit(0)
+}
+
+fn count<const N: usize>(clock: &Clock) {
+    println!("path-surface-{N} {}", clock.count(surface::<N>, &Parts::new(), &mut [0.0; 3]));
+}
+
+#[inline(never)]
+fn surface<const N: usize>(Parts { lamp, paper }: &Parts<N>, xyz: &mut [f32; 3]) {
+    *xyz = Parts::<N>::EYE.sees(lamp.onto(paper));
+}

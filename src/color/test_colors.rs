@@ -1,0 +1,181 @@
+//! X, Y, Z of the CIE 13.3 test colours under a light, and under its reference.
+//!
+//! The method reads the samples, tabulated every 5 nm, by Sprague's interpolation, and sums every nanometre: 45 sums of
+//! 471 products. The order can be turned round: the interpolation's weights spread light times colour-matching function
+//! onto the nodes, once for all samples, and a sum has 99 products. The numbers are the same but for rounding, for
+//! half of the work, and 6 KB of samples in place of 28.
+//!
+//! A reference is a sum of a few spectra, so its colours are the same sum of theirs, which the compiler works out:
+//! three spectra for daylight, a Chebyshev series of ten for a black body.
+
+use crate::light::{S0, S1, S2, daylight_factors};
+use crate::matter::{TCS, TCS_5NM};
+use crate::observer::{CIE_1931, FineObserver};
+use crate::spectrum::{BEYOND, Factor, Fine, Interpolation, Outside, Power, quintic};
+
+include!(concat!(env!("OUT_DIR"), "/reference.rs"));
+
+/// X, Y, Z of the 15 samples and, as the last, of the white itself.
+pub(super) type Colors = [[f32; 16]; 3];
+
+/// Nodes of 5 nm from 350 to 840 nm: two beyond each end of the CIE's range.
+const NODES: usize = 99;
+
+/// Samples at the nodes. Beyond the ends stands what the boundary formula takes there.
+static SAMPLES: [[f32; 16]; NODES] = {
+    let mut samples = [[1.0; 16]; NODES];
+    let mut k = 0;
+    while k < 15 {
+        let at = TCS_5NM[k].values();
+        let mut node = 0;
+        while node < 95 {
+            samples[node + 2][k] = at[node];
+            node += 1;
+        }
+        let mut step = 0;
+        while step < 2 {
+            let (mut before, mut after, mut i) = (0.0, 0.0, 0);
+            while i < 6 {
+                before += BEYOND[step][i] as f64 * at[i] as f64;
+                after += BEYOND[step][i] as f64 * at[94 - i] as f64;
+                i += 1;
+            }
+            samples[1 - step][k] = before as f32;
+            samples[97 + step][k] = after as f32;
+            step += 1;
+        }
+        k += 1;
+    }
+    samples
+};
+
+/// Shares of the six nodes around, 1 to 4 nm after a node.
+const SHARES: [[f32; 6]; 4] = [quintic(0.2), quintic(0.4), quintic(0.6), quintic(0.8)];
+
+/// The colours under a light.
+pub(super) fn under(light: &Fine<Power>) -> Colors {
+    let nodes = CIE_1931.weights().each_ref().map(|row| on_nodes(light.values(), row));
+    let [xs, ys, zs] = &nodes;
+    let [mut x, mut y, mut z] = [[0.0; 16]; 3];
+    for (sample, (at_x, (at_y, at_z))) in SAMPLES.iter().zip(xs.iter().zip(ys.iter().zip(zs))) {
+        add(&mut x, *at_x, sample);
+        add(&mut y, *at_y, sample);
+        add(&mut z, *at_z, sample);
+    }
+    [x, y, z]
+}
+
+/// What a product of each nanometre comes to on the nodes (and nothing on five more).
+fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
+    // By nanometres after a node, behind five zeros.
+    let mut after = [[0.0; 112]; 5];
+    let cells = light.chunks(5).zip(row.chunks(5));
+    for (cell, (light, row)) in cells.enumerate() {
+        for (after, (light, row)) in after.iter_mut().zip(light.iter().zip(row)) {
+            if let Some(product) = after.get_mut(cell + 5) {
+                *product = light * row;
+            }
+        }
+    }
+    let [whole, between @ ..] = &after;
+    let mut nodes = [0.0; 104];
+    for (k, node) in nodes.iter_mut().enumerate() {
+        let mut sum = whole[k + 3];
+        for (between, shares) in between.iter().zip(&SHARES) {
+            for (i, share) in shares.iter().enumerate() {
+                sum += share * between[k + 5 - i];
+            }
+        }
+        *node = sum;
+    }
+    nodes
+}
+
+/// The colours under the reference of this temperature: a black body below 5000 K, and CIE daylight from there.
+pub(super) fn under_reference(cct_k: f32) -> Colors {
+    if cct_k < 5000.0 {
+        let mired = 1e6 / cct_k;
+        let ([cool, warm], [cool_colors, warm_colors]) = (HALVES, &BLACK_BODY_COLORS);
+        let ((middle, half), series) =
+            if mired < cool.0 + cool.1 { (cool, cool_colors) } else { (warm, warm_colors) };
+        mixed(&chebyshev((mired - middle) / half), series)
+    } else {
+        let [m1, m2] = daylight_factors(cct_k);
+        mixed(&[1.0, m1, m2], &DAYLIGHT_COLORS)
+    }
+}
+
+/// T0 to T9.
+fn chebyshev(x: f32) -> [f32; TERMS] {
+    let (mut this, mut next) = (1.0, x);
+    [(); TERMS].map(|()| {
+        let term = this;
+        (this, next) = (next, 2.0 * x * next - this);
+        term
+    })
+}
+
+fn mixed<const M: usize>(shares: &[f32; M], parts: &[Colors; M]) -> Colors {
+    let mut sum = [[0.0; 16]; 3];
+    for (share, part) in shares.iter().zip(parts).rev() {
+        for (sum, part) in sum.iter_mut().zip(part) {
+            add(sum, *share, part);
+        }
+    }
+    sum
+}
+
+#[inline]
+fn add(sum: &mut [f32; 16], share: f32, part: &[f32; 16]) {
+    for (sum, part) in sum.iter_mut().zip(part) {
+        *sum += share * part;
+    }
+}
+
+static BLACK_BODY_COLORS: [[Colors; TERMS]; 2] =
+    [colors(&BLACK_BODIES[0], &CIE_1931, &TCS), colors(&BLACK_BODIES[1], &CIE_1931, &TCS)];
+
+static DAYLIGHT_COLORS: [Colors; 3] = {
+    let parts = [S0, S1, S2];
+    let mut lights = [[0.0; 471]; 3];
+    let mut m = 0;
+    while m < 3 {
+        let fine: Fine<Power> = parts[m].interpolate(Interpolation::Linear, Outside::Zero);
+        let mut nm = 0;
+        while nm < 471 {
+            lights[m][nm] = fine.values()[nm] as f64;
+            nm += 1;
+        }
+        m += 1;
+    }
+    colors(&lights, &CIE_1931, &TCS)
+};
+
+/// The sums at every nanometre, in f64 by the compiler.
+const fn colors<const M: usize>(
+    lights: &[[f64; 471]; M],
+    eye: &FineObserver<3>,
+    samples: &[Fine<Factor>; 15],
+) -> [Colors; M] {
+    let mut colors = [[[0.0; 16]; 3]; M];
+    let mut m = 0;
+    while m < M {
+        let mut c = 0;
+        while c < 3 {
+            let mut k = 0;
+            while k < 16 {
+                let (mut sum, mut nm) = (0.0, 0);
+                while nm < 471 {
+                    let share = if k < 15 { samples[k].values()[nm] as f64 } else { 1.0 };
+                    sum += lights[m][nm] * eye.weights()[c][nm] as f64 * share;
+                    nm += 1;
+                }
+                colors[m][c][k] = sum as f32;
+                k += 1;
+            }
+            c += 1;
+        }
+        m += 1;
+    }
+    colors
+}
