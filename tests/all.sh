@@ -88,25 +88,15 @@ cargo test --release --test upsample_all -- --ignored on_31_bands
 step "what features could change: with every one, then with none, and with checks for overflow"
 tests() { for name; do echo "--test $name"; done; }
 # shellcheck disable=SC2046
-cargo test --all-features --lib $(tests backends bits brdf every_f32 films fixed hard_cases path properties scene sensor_measures \
+cargo test --all-features --lib $(tests backends bits every_f32 fixed hard_cases path properties scene sensor_measures \
     sensor_readings semantics upsample upsample_properties)
 cargo test --all-features --doc
 # shellcheck disable=SC2046
-cargo test --no-default-features --lib $(tests accuracy backends brdf cct color_spaces differences films fixed path \
-    properties radiometry reference semantics sensor_calibration sensor_measures sensor_readings upsample_fit)
+cargo test --no-default-features --lib $(tests backends cct color_spaces differences path radiometry reference semantics sensor_readings upsample_fit)
 cargo test --no-default-features --doc
 
-if grep -qsw avx2 /proc/cpuinfo; then
-    step "the same bits with vectors of eight lanes"
-    RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=target/v3 cargo test --release --test bits --test properties
-fi
-
 step "the benches run and check their results"
-cargo bench --bench observer -- --test
-cargo bench --bench color -- --test
-cargo bench --bench sensor -- --test
-cargo bench --bench upsample -- --test
-cargo bench --bench peers -- --test
+cargo bench --bench observer --bench color --bench sensor --bench upsample --bench peers -- --test
 
 step "what accuracy costs: every figure as it is on record, and the README as the record makes it"
 cargo run --release --example cost -- --quick --check
