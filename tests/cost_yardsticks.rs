@@ -44,7 +44,7 @@ fn table_of_1_percent() -> String {
 }
 
 #[test]
-#[ignore = "writes the table"]
+#[ignore = "writes the table, which another test holds to the model: cargo test --test cost_yardsticks -- --ignored"]
 fn write_the_table_of_1_percent() {
     std::fs::write(TABLE, table_of_1_percent()).expect("a folder of this package");
 }
