@@ -59,6 +59,9 @@ other_targets() {
 
     step "other targets, devices: the same bits, instructions and bytes"
     bash tests/devices.sh --install
+
+    step "other targets, the web: the package in node, the page in a browser"
+    bash examples/web/test.sh
 }
 
 step "formatting"

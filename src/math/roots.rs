@@ -3,10 +3,26 @@
 
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
 use super::vsqrt::sqrt as quickest_sqrt;
-#[cfg(all(feature = "libm", not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))))]
+#[cfg(all(
+    feature = "libm",
+    not(target_arch = "wasm32"),
+    not(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))
+))]
 use libm::sqrtf as quickest_sqrt;
-#[cfg(not(any(feature = "libm", all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))))]
+// (In WebAssembly `libm` has a table of 256 bytes for this: more than many pages need of the rest.)
+#[cfg(not(any(
+    all(feature = "libm", not(target_arch = "wasm32")),
+    all(target_arch = "wasm32", target_feature = "simd128"),
+    all(target_arch = "arm", target_os = "none", target_abi = "eabihf")
+)))]
 use sqrt_by_digits as quickest_sqrt;
+
+/// Only the vectors of WebAssembly have their root in stable Rust.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+fn quickest_sqrt(x: f32) -> f32 {
+    use core::arch::wasm32::{f32x4_extract_lane, f32x4_splat, f32x4_sqrt};
+    f32x4_extract_lane::<0>(f32x4_sqrt(f32x4_splat(x)))
+}
 
 /// Correctly rounded square root; NaN below zero, `-0.0` for `-0.0`.
 ///
@@ -15,9 +31,9 @@ use sqrt_by_digits as quickest_sqrt;
 /// `tests/every_f32.rs`).
 ///
 /// # Cost
-/// The core's own instruction on an Arm microcontroller with FPU and, with the feature
-/// `libm`, on x86-64. Elsewhere `libm::sqrtf` with that feature, and the root digit by digit without. All of
-/// them are correctly rounded, and so the same number.
+/// The core's own instruction on an Arm microcontroller with FPU, in WebAssembly with simd128 and, with the feature
+/// `libm`, on x86-64. Elsewhere `libm::sqrtf` with that feature, and the root digit by digit without it and in
+/// WebAssembly without vectors. All of them are correctly rounded, and so the same number.
 #[must_use]
 #[inline]
 pub fn sqrt(x: f32) -> f32 {

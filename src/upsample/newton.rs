@@ -281,8 +281,8 @@ fn some<const L: usize, const N: usize>(rows: &Rows<N>, [q0, q1, q2]: &[[f32; L]
     sums
 }
 
-/// The twelve sums of one colour, on a core without vectors.
-#[cfg(target_os = "none")]
+/// The twelve sums of one colour, where there are no vectors.
+#[cfg(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128"))))]
 #[inline(always)]
 fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     some(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
@@ -290,8 +290,9 @@ fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
 
 /// The twelve sums of one colour. First every term, which goes several bins at a time; then the weights of a
 /// bin, three in a vector, times each of its terms. (The fourth, x times the term, is not used.)
-#[cfg(not(target_os = "none"))]
-#[inline(always)]
+#[cfg(not(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128")))))]
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     let mut terms = [[0.0; N]; 4];
     let [t0, t1, t2, t3] = &mut terms;

@@ -1,21 +1,32 @@
-//! nanospectra as a wasm module: plain exports, no allocator, no glue code.
+//! nanospectra as wasm modules: plain exports over fixed memory, no allocator, no glue code.
+//!
+//! Each feature is a module of its own (`tools/build.mjs` builds them): `light`, `paint`, `scene`, `core`, `bands`, `cost`,
+//! and `bits` for `tests/devices.sh`. JavaScript writes numbers into the buffers of [`board`], calls a function,
+//! and reads numbers from a buffer; `package/nanospectra.js` is that JavaScript.
 #![no_std]
 
-#[path = "../../firmware/src/bits/mod.rs"]
-mod bits;
-
-unsafe extern "C" {
-    /// Takes one result: a UTF-8 name (address and length in this module's memory) and its hash.
-    safe fn report(name: *const u8, length: usize, hash: u32);
-}
-
-/// Tells the page one hash for each group of results, as the firmware image `bits` prints them.
-#[unsafe(no_mangle)]
-pub extern "C" fn bits() {
-    let mut line = |group: &str, hash: u32| report(group.as_ptr(), group.len(), hash);
-    bits::run(&mut line);
-    bits::run_large(&mut line);
-}
+#[cfg(feature = "bands")]
+mod bands;
+#[cfg(feature = "bits")]
+mod bit_check;
+#[cfg(not(any(feature = "bits", feature = "bands")))]
+mod board;
+#[cfg(feature = "cost")]
+mod cost;
+#[cfg(any(feature = "paint", feature = "scene"))]
+mod display;
+#[cfg(not(feature = "bits"))]
+mod fixed;
+#[cfg(feature = "light")]
+mod lamp;
+#[cfg(any(feature = "core", feature = "light"))]
+mod measure;
+#[cfg(any(feature = "core", feature = "paint"))]
+mod paint;
+#[cfg(feature = "scene")]
+mod scene;
+#[cfg(feature = "light")]
+mod surface;
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

@@ -1,0 +1,43 @@
+// The small module: a light to XYZ, CCT and sRGB, Lab, an sRGB colour to a spectrum.
+import { Instrument } from './instrument.js';
+import { all, decoded, encoded, hex, single } from './numbers.js';
+import { sourceOf, wrong } from './samples.js';
+
+/** What the small module does. */
+export class Core extends Instrument {
+  /**
+   * A light: XYZ (Y = 100), chromaticities, CCT and Duv, its colour on a display.
+   * @param {Parameters<typeof sourceOf>[0]} samples
+   */
+  spectrum(samples, { name = 'samples' } = {}) {
+    const source = sourceOf(samples, name);
+    this.readLight(source, false);
+    if (this.wasm.see_light(0)) throw wrong(source, this.dark(0));
+    const { out } = this;
+    return {
+      XYZ: all(out.slice(0, 3)),
+      xy: all(out.slice(6, 8)),
+      uv1960: all(out.slice(8, 10)),
+      uv1976: all(out.slice(10, 12)),
+      cct_k: single(out[12]),
+      duv: single(out[13]),
+      hex: hex(Array.from(out.slice(15, 18), (x) => Math.round(255 * encoded(x)))),
+    };
+  }
+
+  /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
+  lab(xyz, white) {
+    return this.wasm.lab(...xyz, ...white) ? null : all(this.out.slice(0, 3));
+  }
+
+  /**
+   * The reflectance of an encoded sRGB colour at 400, 410 .. 700 nm; null if no smooth one has it.
+   * @param {[number, number, number]} rgb 0..1
+   */
+  upsample(rgb) {
+    if (!rgb.every(Number.isFinite))
+      throw new Error('too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces');
+    if (this.wasm.upsample(...rgb.map(decoded))) return null;
+    return { first_nm: 400, step_nm: 10, values: Array.from(this.out.slice(0, 31), single) };
+  }
+}

@@ -1,0 +1,209 @@
+// Text to spectra, strictly: what is not plainly a table of numbers is an error that says where, in the words of the
+// crate's examples/colorimeter.
+
+import { plain } from './numbers.js';
+
+/** The first forty characters of somebody's text. @param {string} text */
+function short(text) {
+  const all = [...text];
+  return all.length > 40 ? `${all.slice(0, 40).join('')}..` : text;
+}
+
+const NUMBER = /^[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|inf|infinity|nan)$/i;
+
+/** @param {string} cell @returns {number | undefined} */
+function numberIn(cell) {
+  if (!NUMBER.test(cell)) return undefined;
+  const plain = cell.toLowerCase();
+  if (plain.includes('n')) return plain.includes('nan') ? NaN : plain.startsWith('-') ? -Infinity : Infinity;
+  return Number(cell);
+}
+
+/** @param {string} cell @param {string} what */
+function number(cell, what) {
+  if (cell === '') throw new Error(`${what} is empty; fill it in (0 if nothing was measured is for you to say)`);
+  const value = numberIn(cell);
+  if (value !== undefined && Number.isFinite(value)) return value;
+  if (value !== undefined) throw new Error(`${what} is ${short(cell)}, not a finite number; correct it`);
+  if (numberIn(cell.replace(',', '.')) !== undefined) {
+    throw new Error(`${what} is '${short(cell)}'; write the decimal point as '.'`);
+  }
+  throw new Error(`${what} is '${short(cell)}', not a number; correct it`);
+}
+
+const count = (cells) => (cells === 1 ? '1 cell' : `${cells} cells`);
+
+/** What stands between the cells of a row of numbers: a mark, or '' for blanks. @param {string} row */
+function separatorOf(row) {
+  const bare = row
+    .split('"')
+    .filter((_, k) => k % 2 === 0)
+    .join('');
+  return [';', '\t', ','].find((mark) => bare.includes(mark)) ?? '';
+}
+
+/** @param {string} line @param {string} mark @returns {string[]} */
+function cellsOf(line, mark) {
+  if (line.includes('\r')) throw new Error('a carriage return inside the line; save with LF or CRLF line ends');
+  if (line.includes('"')) return quoted(line, mark);
+  return mark ? line.split(mark).map((cell) => cell.trim()) : line.trim().split(/\s+/);
+}
+
+/** Quotes by the rules of CSV, but closed on the line where they were opened. */
+function quoted(line, mark) {
+  const parts = line.split('"'),
+    last = parts.length - 1,
+    delimiter = mark || ' ';
+  if (last % 2) throw new Error('a quote is opened and not closed; close it on the same line');
+  for (let k = 0; k <= last; k += 2) {
+    const outside = mark ? parts[k].replace(/^ +| +$/g, '') : parts[k];
+    const apart = (k === 0 || outside.startsWith(delimiter)) && (k === last || outside.endsWith(delimiter));
+    // Nothing between two quotes is a quote inside a quoted cell.
+    if (outside !== '' && !apart) {
+      throw new Error('text beside a quoted cell; put the quotes around the whole cell');
+    }
+    parts[k] = outside;
+  }
+  const cells = [''];
+  let inside = false;
+  const text = parts.join('"');
+  for (let i = 0; i < text.length; i++) {
+    if (text[i] === '"' && inside && text[i + 1] === '"') {
+      cells[cells.length - 1] += '"';
+      i++;
+    } else if (text[i] === '"') inside = !inside;
+    else if (text[i] === delimiter && !inside) cells.push('');
+    else cells[cells.length - 1] += text[i];
+  }
+  return cells.map((cell) => cell.trim()).filter((cell) => mark || cell !== '');
+}
+
+/** A first line without a wavelength is a heading only if it looks like one. */
+function checkHeading(cells) {
+  const first = cells[0] ?? '',
+    lower = first.toLowerCase();
+  const names = ['nm', 'wave', 'lambda', 'λ', 'wl'].some((word) => lower.includes(word));
+  const follow = cells.length > 1 && cells.slice(1).every((cell) => numberIn(cell) !== undefined);
+  if (/^[\d+\-.]/.test(first) || (follow && !names)) {
+    throw new Error(
+      `'${short(first)}' is not a wavelength; correct it, or begin the heading with 'nm' if this is one`,
+    );
+  }
+}
+
+/**
+ * @typedef {object} Source a column of a file
+ * @property {string} file
+ * @property {string} name
+ * @property {number[]} lines the line of each sample, counted from 1
+ * @property {[number, number][]} samples wavelength in nm and value; finite, increasing, at least two
+ */
+
+/**
+ * All spectra of a text: the first column is the wavelength in nm, every other column is a spectrum.
+ * @param {string} text @param {string} [file] its name, for messages and for spectra without a heading
+ * @returns {Source[]}
+ */
+export function parse(text, file = 'pasted') {
+  const at = (line, work) => {
+    try {
+      return work();
+    } catch (error) {
+      throw new Error(`${file}:${line}: ${error.message}`);
+    }
+  };
+  const rows = text
+    .replace(/^\uFEFF/, '')
+    .split('\n')
+    .map((line, k) => ({ line: line.replace(/\r$/, ''), number: k + 1 }))
+    .filter(({ line }) => line.trim() !== '' && !line.trimStart().startsWith('#'));
+  const first = rows.find(({ line }) => {
+    const cell = line
+      .trimStart()
+      .replace(/^"+/, '')
+      .split(/[,;\t "]/)[0];
+    return numberIn(cell) !== undefined;
+  });
+  if (!first) {
+    return at(rows[0]?.number ?? 1, () => {
+      throw new Error('no row of numbers; give rows of a wavelength in nm and one or more values');
+    });
+  }
+  const mark = separatorOf(first.line);
+  let heading,
+    names,
+    values,
+    lines = [],
+    nms = [];
+  for (const { line, number: row } of rows) {
+    at(row, () => {
+      const cells = cellsOf(line, mark);
+      if (row < first.number) {
+        if (heading) throw new Error("neither a heading nor numbers; begin the line with '#' to skip it");
+        checkHeading(cells);
+        heading = { cells, row };
+        return;
+      }
+      if (!names) {
+        names = namesOf(cells, heading);
+        values = names.map(() => []);
+      }
+      push(cells, row);
+    });
+  }
+  if (lines.length === 1)
+    at(lines[0], () => {
+      throw new Error('one sample is not a spectrum; give two or more');
+    });
+  const stem = file.replace(/^.*\//, '').replace(/(.)\.[^.]*$/, '$1');
+  return names.map((name, k) => ({
+    file,
+    name: name ?? (names.length > 1 ? `${stem}:${k + 1}` : stem),
+    lines,
+    samples: nms.map((nm, j) => [nm, values[k][j]]),
+  }));
+
+  function push(cells, row) {
+    if (cells.length > 1 && cells.at(-1) === '') {
+      throw new Error('the row ends with an empty cell; fill it in, or remove the last separator');
+    }
+    if (cells.length !== names.length + 1) {
+      throw new Error(`${count(cells.length)} where the rows before have ${names.length + 1}; complete the row`);
+    }
+    const nm = number(cells[0], 'wavelength');
+    checkWavelength(nm);
+    cells.slice(1).forEach((cell, k) => {
+      values[k].push(number(cell, names[k] === undefined ? `cell ${k + 2}` : `'${names[k]}'`));
+    });
+    nms.push(nm);
+    lines.push(row);
+  }
+
+  function checkWavelength(nm) {
+    if (nm <= 0) throw new Error(`${plain(nm)} is not a wavelength; give nanometres above 0`);
+    if (nms.length === 0) return;
+    const before = nms.at(-1);
+    if (nm === before)
+      throw new Error(`${plain(nm)} nm stands in line ${lines.at(-1)} too; keep one of the two rows`);
+    if (nm < before)
+      throw new Error(`${plain(nm)} nm comes after ${plain(before)} nm; sort the rows by wavelength`);
+    if (Math.fround(nm) === Math.fround(before)) {
+      throw new Error(`${plain(nm)} nm is too near to ${plain(before)} nm to tell apart; use wider steps`);
+    }
+  }
+}
+
+/** The names of the columns that the first row promises. */
+function namesOf(row, heading) {
+  if (row.length < 2) {
+    throw new Error('no value beside the wavelength; give rows of a wavelength in nm and one or more values');
+  }
+  if (!heading) return row.slice(1).map(() => undefined);
+  if (heading.cells.length !== row.length) {
+    throw new Error(
+      `${count(row.length)} here but ${heading.cells.length} in the heading (line ${heading.row}); ` +
+        'make them agree (quote names that hold a separator)',
+    );
+  }
+  return heading.cells.slice(1).map((cell) => (cell === '' ? undefined : cell));
+}

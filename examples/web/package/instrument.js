@@ -1,0 +1,134 @@
+// What every module has: memory, a spectrum at every nanometre, the CIE's lamps.
+import { read } from './read.js';
+import { checkReach, exactly, needsExact, sourceOf, wrong } from './samples.js';
+
+export const FIRST = 360,
+  NODES = 471;
+const CAPACITY = 4096;
+export const TITLES = ['CIE 1931, 2°', 'CIE 1964, 10°', 'CIE 2015, 2°', 'CIE 2015, 10°'];
+
+/** The words for what `interpolate` and its like refuse. */
+function refusal(code) {
+  const index = code >> 3;
+  return (
+    [
+      '',
+      `fewer than ${index} samples`,
+      `sample ${index} is not a finite number`,
+      `the wavelength of sample ${index} is not above the one before it`,
+      `sample ${index} is off the regular spacing that Sprague interpolation needs`,
+    ][code & 7] ?? 'not a spectrum'
+  );
+}
+
+/** A module that measures spectra at 360..830 nm. */
+export class Instrument {
+  /** @param {Record<string, any>} wasm @param {boolean} simd @param {Float32Array[]} tables the CIE's, the first is x, y, z of 1931 */
+  constructor(wasm, simd, tables) {
+    const view = (address, length) => new Float32Array(wasm.memory.buffer, address, length);
+    this.wasm = wasm;
+    this.simd = simd;
+    this.tables = tables;
+    this.pairs = view(wasm.samples(), 2 * CAPACITY);
+    this.curve = view(wasm.curve(), NODES);
+    this.light = view(wasm.light(), NODES);
+    this.out = view(wasm.out(), 512);
+    /** @type {Map<string, import('./csv.js').Source> | null} */
+    this.lamps = null;
+  }
+
+  /** Samples into the module's `samples`. @returns {number} how many */
+  write(samples, at = 0) {
+    if (at + samples.length > CAPACITY) {
+      throw new Error(`${at + samples.length} samples where ${CAPACITY} have room; average neighbours`);
+    }
+    samples.forEach(([nm, value], k) => {
+      this.pairs[2 * (at + k)] = nm;
+      this.pairs[2 * (at + k) + 1] = value;
+    });
+    return samples.length;
+  }
+
+  /**
+   * A spectrum at every nanometre into the module's `curve`.
+   * @param {import('./csv.js').Source} source @param {{sprague?: boolean, hold?: boolean, scaled?: (x: number) => number}} how
+   */
+  read(source, { sprague = false, hold = false, scaled = (x) => x } = {}) {
+    const { samples, file, lines } = source;
+    const status = this.wasm.interpolate(
+      this.write(samples.map(([nm, value]) => [nm, scaled(value)])),
+      +sprague,
+      +hold,
+    );
+    const at = (what) => new Error(`${file}:${lines[status >> 3]}: ${what}`);
+    if ((status & 7) === 4) throw at('off the regular step that sprague needs; use --interpolation linear');
+    if ((status & 7) === 3) throw at('less than 0.0001 nm above the row before; merge them');
+    if ((status & 7) === 1) throw wrong(source, `fewer than ${status >> 3} samples; use --interpolation linear`);
+    if (status) throw wrong(source, `${refusal(status)}; correct the file`);
+    if (!needsExact(samples)) return;
+    for (let k = 0; k < NODES; k++) {
+      const nm = FIRST + k,
+        value = exactly(samples, nm, sprague);
+      const end = nm < samples[0][0] ? samples[0][1] : samples.at(-1)[1];
+      this.curve[k] = value !== undefined ? scaled(value) : hold ? scaled(end) : 0;
+    }
+  }
+
+  /** A light into `curve`, brought near 1 by a power of two. @returns {number} the numbers of the source are that times the curve */
+  readLight(source, sprague) {
+    checkReach(source);
+    const peak = source.samples.reduce((peak, [, value]) => Math.max(peak, Math.abs(value)), 0);
+    if (peak === 0) throw wrong(source, 'every value is zero; measure again with the lamp on');
+    const half = Math.floor(Math.log2(peak) / 2),
+      up = 2 ** -half;
+    this.read(source, { sprague, scaled: (value) => value * up * up });
+    if (this.curve.every((value) => value === 0)) {
+      throw wrong(source, 'no power at any whole nanometre of 360..830, nothing visible; give a spectrum that has');
+    }
+    return 2 ** (2 * half);
+  }
+
+  /** Brings the CIE's lamps, by name, from lamps.json. @param {string | URL} [base] */
+  async loadLamps(base = import.meta.url) {
+    const lamps = JSON.parse(new TextDecoder().decode(await read(new URL('lamps.json', base))));
+    this.lamps = new Map(
+      lamps.map(({ name, first, step, values }) => [
+        name,
+        {
+          file: name,
+          name,
+          lines: values.map((_, k) => k + 1),
+          samples: values.map((value, k) => [first + k * step, value]),
+        },
+      ]),
+    );
+    const flat = Array.from({ length: NODES }, (_, k) => [FIRST + k, 1]);
+    this.lamps.set('E', { file: 'E', name: 'E', lines: flat.map((_, k) => k + 1), samples: flat });
+    return this.lamps;
+  }
+
+  /** The lamp of that name into `curve`. */
+  named(name, place) {
+    const lamp = this.lamps?.get(String(name).toUpperCase());
+    if (!lamp) {
+      throw new Error(
+        `${place}: '${name}' is no CIE illuminant; use E, A, C, D50, D55, D65, D75, ID50, ID65, FL1..FL12, ` +
+          'FL3.1..FL3.15, HP1..HP5, LED-B1..LED-B5, LED-BH1, LED-RGB1, LED-V1, LED-V2 or L41',
+      );
+    }
+    this.read(lamp);
+    return lamp;
+  }
+
+  /** A light by name or from samples into `curve`. @returns {import('./csv.js').Source} */
+  lightOf(light, sprague = false) {
+    if (typeof light === 'string') return this.named(light, '--light');
+    const source = sourceOf(light, 'light');
+    this.readLight(source, sprague);
+    return source;
+  }
+
+  dark(eye) {
+    return `nothing visible, Y is not above zero for ${TITLES[eye]}; check range and dark reading`;
+  }
+}

@@ -1,0 +1,47 @@
+// An RGB colour to the spectrum of a surface, and what that looks like under lamps.
+import { Instrument } from './instrument.js';
+import { all, hex, single } from './numbers.js';
+import { wrong } from './samples.js';
+
+const METHODS = ['sigmoid', 'basis', 'smits'];
+
+/** What the module `paint` does. */
+export class Paint extends Instrument {
+  /**
+   * The reflectance of an encoded sRGB colour at 380, 385 .. 780 nm, and what it looks like under lights.
+   * @param {[number, number, number]} rgb 0..1
+   * @param {import('./nanospectra.d.ts').UpsampleOptions} [options]
+   */
+  upsample(rgb, { method = 'sigmoid', beyond = 'nearest', lights = [] } = {}) {
+    const number = METHODS.indexOf(method);
+    if (number < 0) throw new Error(`no method ${method}; use ${METHODS.join(', ')}`);
+    const state = this.wasm.upsample(...rgb, number, +(beyond === 'desaturate'));
+    const out = this.out.slice(0, 86);
+    if (!out.slice(0, 81).every(Number.isFinite) || !rgb.every(Number.isFinite)) {
+      throw new Error('too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces');
+    }
+    const looks = ['D65', ...lights.filter((light) => light !== 'D65')].map((light) => {
+      const source = this.lightOf(light);
+      this.light.set(this.curve);
+      if (this.wasm.paint_under()) throw wrong(source, this.dark(0));
+      return {
+        name: source.name,
+        XYZ: all(this.out.slice(0, 3)),
+        lab: all(this.out.slice(3, 6)),
+        hex: hex(this.out.slice(6, 9)),
+      };
+    });
+    return {
+      rgb: rgb.map((c) => single(Math.fround(c))),
+      method,
+      first_nm: 380,
+      step_nm: 5,
+      status: ['exact', 'unreachable', 'desaturated', 'unphysical', 'approximate'][state],
+      spectrum: Array.from(out.slice(0, 81), single),
+      roundtrip_rgb: all(out.slice(81, 84)),
+      delta_e2000: single(out[84]),
+      kept: single(out[85]),
+      lights: looks,
+    };
+  }
+}

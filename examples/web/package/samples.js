@@ -1,0 +1,117 @@
+// One measured spectrum: what is wrong with it, what is worth a word about it, and how f64 reads between its samples.
+// After examples/colorimeter: `source.rs` and `exact.rs`.
+import { plain } from './numbers.js';
+
+const FIRST = 360,
+  LAST = 830;
+const f = Math.fround;
+
+/** @typedef {import('./csv.js').Source} Source */
+
+/** A failure of the spectrum as a whole, at its first row. @param {Source} source @param {string} what */
+export const wrong = (source, what) => new Error(`${source.file}:${source.lines[0]}: '${source.name}': ${what}`);
+
+/**
+ * Samples in any shape to a source; the words for what is wrong are the crate's.
+ * @param {Source | Iterable<[number, number]> | {nm: ArrayLike<number>, values: ArrayLike<number>}} samples
+ * @param {string} name @returns {Source}
+ */
+export function sourceOf(samples, name) {
+  if (samples && 'samples' in samples) return samples;
+  const pairs =
+    samples && 'nm' in samples
+      ? Array.from(samples.nm, (nm, k) => [nm, samples.values[k]])
+      : Array.from(samples ?? []);
+  if (pairs.length < 2) throw new Error('fewer than 2 samples');
+  pairs.forEach((pair, k) => {
+    const [nm, value] = pair.length === 2 ? pair : [NaN, NaN];
+    if (!(Number.isFinite(f(nm)) && Number.isFinite(value))) throw new Error(`sample ${k} is not a finite number`);
+    if (k > 0 && f(nm) <= f(pairs[k - 1][0])) {
+      throw new Error(`the wavelength of sample ${k} is not above the one before it`);
+    }
+  });
+  return { file: name, name, lines: pairs.map((_, k) => k + 1), samples: pairs };
+}
+
+/** Data that lies beside the visible range, often because it is in another unit. @param {Source} source */
+export function checkReach(source) {
+  const first = source.samples[0][0],
+    last = source.samples.at(-1)[0];
+  if (first <= LAST && last >= FIRST) return;
+  const unit = [
+    ['micrometres', 1e3],
+    ['ångströms', 0.1],
+    ['metres', 1e9],
+  ].find(([, nm]) => first * nm <= LAST && last * nm >= FIRST);
+  const advice = unit
+    ? `if these are ${unit[0]}, multiply by ${plain(unit[1])}`
+    : 'give a spectrum that reaches into it';
+  throw wrong(source, `${plain(first)}..${plain(last)} nm is outside 360..830 nm, nothing visible; ${advice}`);
+}
+
+/** What a reader should know about how the samples were used. @param {Source} source */
+export function remarks(source, sprague, hold) {
+  const { samples } = source,
+    first = samples[0][0],
+    last = samples.at(-1)[0],
+    said = [];
+  if (first > 380 || last < 780) {
+    const fate = hold ? 'is taken to be as at the ends' : 'counts as zero';
+    said.push(`the samples cover ${plain(first)}..${plain(last)} nm; what is outside ${fate}`);
+  }
+  const inside = samples.filter(([nm]) => nm >= FIRST && nm <= LAST).length;
+  const unread = samples.filter(([nm], k) => {
+    const before = k > 0 ? samples[k - 1][0] : nm,
+      after = k + 1 < samples.length ? samples[k + 1][0] : nm;
+    return !Number.isInteger(nm) && Math.floor(before) + 1 >= after && nm >= FIRST && nm <= LAST;
+  }).length;
+  if (unread > 0 && !sprague) {
+    said.push(
+      `finer than 1 nm: the sum reads whole nanometres, so ${unread} of ${inside} samples ` +
+        'do not count and narrow lines between are missed',
+    );
+  }
+  const beyond = samples.length - inside;
+  if (beyond > 0) said.push(`${beyond} samples outside 360..830 nm are not part of any sum`);
+  const negative = samples.filter(([, value]) => value < 0).length;
+  if (negative > 0) said.push(`${negative} negative values, taken as they are`);
+  let widest = 0;
+  for (let k = 1; k < samples.length; k++) widest = Math.max(widest, samples[k][0] - samples[k - 1][0]);
+  if (widest > 20) said.push(`steps of up to ${plain(widest)} nm; what lies between the samples is unknown`);
+  return said;
+}
+
+/** Does f32 round one of the wavelengths? @param {[number, number][]} samples */
+export const needsExact = (samples) => samples.some(([nm]) => f(nm) !== nm);
+
+/** The value at `nm` in f64; undefined outside the samples. @param {[number, number][]} samples */
+export function exactly(samples, nm, sprague) {
+  const n = samples.length,
+    first = samples[0],
+    last = samples[n - 1];
+  if (!(nm >= first[0] && nm <= last[0])) return undefined;
+  let above = samples.findIndex((sample) => sample[0] > nm);
+  if (above < 0) above = n - 1;
+  const a = samples[above - 1],
+    b = samples[above];
+  if (!sprague) return a[1] + (b[1] - a[1]) * ((nm - a[0]) / (b[0] - a[0]));
+  const step = (last[0] - first[0]) / (n - 1),
+    cell = above - 1,
+    t = (nm - first[0]) / step - cell;
+  const weights = [
+    [508, -540, 488, -367, 144, -24],
+    [884, -1960, 3033, -2648, 1080, -180],
+  ];
+  const beyond = (steps, inside) => weights[steps].reduce((sum, weight, k) => sum + weight * inside(k), 0) / 209;
+  const p = [0, 1, 2, 3, 4, 5].map((j) => {
+    const k = cell + j - 2;
+    if (k < 0) return beyond(-1 - k, (i) => samples[i][1]);
+    return k >= n ? beyond(k - n, (i) => samples[n - 1 - i][1]) : samples[k][1];
+  });
+  const a1 = (2 * p[0] - 16 * p[1] + 16 * p[3] - 2 * p[4]) / 24;
+  const a2 = (-p[0] + 16 * p[1] - 30 * p[2] + 16 * p[3] - p[4]) / 24;
+  const a3 = (-9 * p[0] + 39 * p[1] - 70 * p[2] + 66 * p[3] - 33 * p[4] + 7 * p[5]) / 24;
+  const a4 = (13 * p[0] - 64 * p[1] + 126 * p[2] - 124 * p[3] + 61 * p[4] - 12 * p[5]) / 24;
+  const a5 = (-5 * p[0] + 25 * p[1] - 50 * p[2] + 50 * p[3] - 25 * p[4] + 5 * p[5]) / 24;
+  return p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5))));
+}

@@ -1,0 +1,308 @@
+// Light through what it meets. What may stand in a scene, and the words for what may not, are those of examples/scene.
+import { Instrument } from './instrument.js';
+import { hex, plain, single, singles } from './numbers.js';
+
+const f = Math.fround;
+const RADIANS = f(f(Math.PI) / 180);
+const EYES = ['CIE 1931', 'CIE 1964'];
+const KINDS = ['filter', 'surface', 'dye', 'film', 'mirror', 'polariser', 'retarder'];
+const DYES = [
+  'has a value that is negative or not finite',
+  '',
+  'the quantum yield is not in 0..=1',
+  'the emission is zero everywhere',
+  'leaves with more energy than it came with',
+  'the dye emits more photons than it absorbs',
+];
+
+const within = (x, low, high) => x >= low && x <= high;
+
+/** What the module `scene` does. */
+export class Scenes extends Instrument {
+  /** A scene of a lamp and the parts that its light meets. @param {import('./nanospectra.d.ts').SceneRecipe} recipe */
+  scene(recipe) {
+    return new Scene(this, recipe);
+  }
+}
+
+/** A scene in the module's memory until another one is made. */
+export class Scene {
+  /** @param {Scenes} spectra @param {import('./nanospectra.d.ts').SceneRecipe} recipe */
+  constructor(spectra, recipe) {
+    this.spectra = spectra;
+    this.recipe = recipe;
+    this.eye = EYES.indexOf(recipe.eye ?? 'CIE 1931');
+    if (this.eye < 0) throw new Error('no eye of this name; use "CIE 1931" or "CIE 1964"');
+    if (!recipe.part?.length) throw new Error('a scene without a part');
+    if (recipe.part.length > 16) throw new Error('more than 16 parts; make one of several filters');
+    this.build();
+  }
+
+  build() {
+    const { spectra, recipe } = this;
+    spectra.wasm.scene_clear();
+    this.parts = recipe.part.map((part) => {
+      const kinds = KINDS.filter((kind) => part[kind] !== undefined);
+      if (kinds.length !== 1) {
+        throw new Error(`a part is one thing; give one of ${KINDS.join(', ')}`);
+      }
+      const [kind] = kinds,
+        written = part[kind];
+      const effect = this[kind](written);
+      return {
+        name: part.name ?? kind,
+        kind,
+        effect,
+        matt: kind === 'surface' || (kind === 'dye' && !written.transmitted),
+      };
+    });
+    this.checkFilms();
+    spectra.currentScene = this;
+  }
+
+  /** Refuses a film at an angle beside something that tells directions of polarisation apart. */
+  checkFilms() {
+    let films = 0,
+      directed = 0;
+    for (const [k, { kind, matt }] of [...this.parts.entries(), [-1, { kind: 'dye' }]]) {
+      if (matt || kind === 'dye') {
+        films = directed = 0;
+        continue;
+      }
+      const oblique = kind === 'film' && (this.recipe.part[k].film.angle_deg ?? 0) > 0;
+      films += oblique;
+      directed += oblique || ['mirror', 'polariser', 'retarder'].includes(kind);
+      if (films && directed > 1) {
+        throw new Error(
+          'a film at an angle polarises, which is not followed here beside a mirror, polariser, retarder or ' +
+            'another such film; give angle_deg = 0, or put a surface between them',
+        );
+      }
+    }
+  }
+
+  /** @param {number} status of an export that adds a part */
+  check(status, advice = '; give [[nm, value], ..], nm increasing') {
+    if (status === 0) return;
+    if (status >= 65536) {
+      const [bin, to] = this.spectra.out,
+        kind = status - 65536;
+      const said = [
+        `bin ${bin} ${DYES[0]}`,
+        `light of bin ${bin} leaves at the shorter waves of bin ${to}`,
+        DYES[2],
+        DYES[3],
+        `light of bin ${bin} ${DYES[4]}`,
+        DYES[5],
+      ][kind];
+      throw new Error(`${said}; correct the dye's numbers`);
+    }
+    const index = status >> 3;
+    throw new Error(
+      [
+        '',
+        `fewer than ${index} samples`,
+        `sample ${index} is not a finite number`,
+        `the wavelength of sample ${index} is not above the one before it`,
+        '',
+        'not a spectrum',
+        'an absorbance is negative or not finite',
+        'more than 16 parts',
+      ][status & 7] + advice,
+    );
+  }
+
+  shares(points, at = 0) {
+    const bad = points.find(([, value]) => !within(value, 0, 1));
+    if (bad) throw new Error(`${plain(bad[1])} at ${plain(bad[0])} nm is no share; give 0..1, not percent`);
+    return this.spectra.write(points, at);
+  }
+
+  factors(written, matt) {
+    const { spectra } = this,
+      { flat, points, absorbance_per_cm: absorbance, path_cm: cm } = written;
+    if ([flat, points, absorbance].filter((given) => given !== undefined).length !== 1) {
+      throw new Error('its share comes from one place; give one of flat, points, absorbance_per_cm');
+    }
+    if (absorbance) {
+      if (cm === undefined) throw new Error('an absorbance without a length; give path_cm');
+      if (!within(cm, 0, 1e5)) throw new Error(`path_cm = ${plain(cm)} is no length; give 0..100000`);
+      this.check(
+        spectra.wasm.scene_absorber(spectra.write(absorbance), f(f(0.01) * f(cm)), matt),
+        '; give absorbances of 0 or more',
+      );
+      return matt ? 'reflection' : 'Beer-Lambert';
+    }
+    if (cm !== undefined) throw new Error('path_cm is for absorbance_per_cm; leave it out');
+    if (flat !== undefined && !within(flat, 0, 1)) throw new Error(`flat = ${plain(flat)} is no share; give 0..1`);
+    this.check(
+      spectra.wasm.scene_factors(
+        this.shares(
+          points ?? [
+            [380, flat],
+            [780, flat],
+          ],
+        ),
+        matt,
+      ),
+    );
+    return matt ? 'reflection' : 'absorption';
+  }
+
+  filter(written) {
+    return this.factors(written, 0);
+  }
+
+  surface(written) {
+    return this.factors(written, 1);
+  }
+
+  dye({ reflectance, absorption, emission, quantum_yield: quantum }) {
+    const { spectra } = this;
+    const first = this.shares(reflectance),
+      second = this.shares(absorption, first);
+    const third = spectra.write(emission, first + second);
+    this.check(spectra.wasm.scene_dye(first, second, third, quantum));
+    return 'fluorescence';
+  }
+
+  cos(deg = 0) {
+    if (!within(deg, 0, 90)) throw new Error(`angle_deg = ${plain(deg)} is no angle of incidence; give 0..90`);
+    return f(Math.cos(f(f(deg) * RADIANS)));
+  }
+
+  turns(deg = 0) {
+    if (!within(deg, -360, 360)) throw new Error(`axis_deg = ${plain(deg)} is no direction; give -360..360`);
+    return f(f(deg) / 360);
+  }
+
+  film({ n, n_before: before = 1, n_behind: behind = 1, thickness_nm: nm, angle_deg: deg, transmitted = false }) {
+    if (![before, n, behind].every((n) => within(n, 0.01, 100))) {
+      throw new Error('an index of refraction out of range; give 0.01..100');
+    }
+    if (!within(nm, 0, 1e9)) throw new Error(`thickness_nm = ${plain(nm)} is no film; give 0..1000000000`);
+    this.check(this.spectra.wasm.scene_film(before, n, behind, nm, this.cos(deg), +transmitted));
+    return 'interference';
+  }
+
+  mirror({ n, k = 0, angle_deg: angle, axis_deg: axis }) {
+    if (!(within(n, 0.01, 100) && within(k, 0, 100))) {
+      throw new Error('an index of refraction out of range; give n = 0.01..100, k = 0..100');
+    }
+    this.check(this.spectra.wasm.scene_mirror(n, k, this.cos(angle), this.turns(axis)));
+    return 'polarisation';
+  }
+
+  polariser({ axis_deg: axis, along = 1, across = 0 }) {
+    if (![along, across].every((share) => within(share, 0, 1)))
+      throw new Error('along and across are shares; give 0..1');
+    this.check(this.spectra.wasm.scene_polariser(along, across, this.turns(axis)));
+    return 'polarisation';
+  }
+
+  retarder({ path_difference_nm: nm, axis_deg: axis }) {
+    if (!within(nm, 0, 1e5)) throw new Error(`path_difference_nm = ${plain(nm)} is no plate; give 0..100000`);
+    this.check(this.spectra.wasm.scene_retarder(nm, this.turns(axis)));
+    return 'polarisation';
+  }
+
+  /** The lamp into `curve`. @returns {string} its name */
+  lamp() {
+    const { spectra } = this,
+      { cie, blackbody_k: kelvin, points } = this.recipe.lamp ?? {};
+    if ([cie, kelvin, points].filter((given) => given !== undefined).length !== 1) {
+      throw new Error('a lamp is one thing; give one of cie, blackbody_k, points');
+    }
+    if (cie !== undefined) return spectra.named(cie, 'lamp').name;
+    if (kelvin !== undefined) {
+      if (!within(kelvin, 500, 1e6))
+        throw new Error(`blackbody_k = ${plain(kelvin)} does not shine for eyes; give 500 to 1000000 K`);
+      spectra.wasm.black_body(kelvin);
+      return `black body of ${plain(kelvin)} K`;
+    }
+    const dark = points.find(([, value]) => value < 0);
+    if (dark) throw new Error(`${plain(dark[1])} at ${plain(dark[0])} nm is no power; give 0 or more`);
+    this.check(spectra.wasm.interpolate(spectra.write(points), 0, 0), '; give wavelengths in nm, increasing');
+    return 'points';
+  }
+
+  /**
+   * The colour, the spectra, the bill; `off` names parts (from 0) whose effects are switched off, `budget` is a
+   * CIEDE2000 within which effects are left out.
+   * @param {{off?: number[], budget?: number | null}} [options]
+   */
+  answer({ off = [], budget = null } = {}) {
+    const { spectra, recipe } = this;
+    if (spectra.currentScene !== this) this.build();
+    const lamp = this.lamp(),
+      level = recipe.lamp.illuminance_lx;
+    if (level !== undefined && !within(level, 1e-6, 1e9)) {
+      throw new Error(`illuminance_lx = ${plain(level)} is no level; give lux, 0.000001 to 1000000000`);
+    }
+    if (budget !== null && !within(budget, 0, 1e6)) {
+      throw new Error(`${plain(budget)} is no colour difference; give 0 or more, 1 is just noticed`);
+    }
+    const mask = off.reduce((bits, k) => bits | (1 << k), 0);
+    if (spectra.wasm.scene_answer(this.eye, level ?? 0, mask, budget ?? -1)) {
+      throw new Error('nothing visible; give a lamp with power in 360..830 nm');
+    }
+    const out = spectra.out.slice(),
+      look = out.subarray(162, 178),
+      line = (k) => out.subarray(196 + 6 * k, 202 + 6 * k);
+    const matt =
+      this.parts.findLast(({ kind }) => !['filter', 'polariser', 'retarder'].includes(kind))?.matt ?? false;
+    const [illuminance, irradiance, exitance, radiosity, luminance, radiance] = singles(out.subarray(182, 188));
+    const left = out[195];
+    return {
+      title: recipe.title,
+      lamp,
+      eye: EYES[this.eye],
+      first_nm: 380,
+      step_nm: 5,
+      lamp_spectrum: singles(out.subarray(0, 81)),
+      leaving_spectrum: singles(out.subarray(81, 162)),
+      XYZ: singles(look.subarray(0, 3)),
+      xy: Number.isNaN(look[3]) ? null : singles(look.subarray(3, 5)),
+      lab: singles(look.subarray(5, 8)),
+      hex: hex(look.subarray(8, 11)),
+      hex_is_clipped: look[11] === 1,
+      lamp_hex: hex(look.subarray(12, 15)),
+      luminous_factor_percent: single(look[1]),
+      absolute:
+        level === undefined
+          ? null
+          : {
+              illuminance_lx: illuminance,
+              irradiance_w_m2: irradiance,
+              exitance_lm_m2: exitance,
+              exitance_w_m2: radiosity,
+              luminance_cd_m2: matt ? luminance : null,
+              radiance_w_m2_sr: matt ? radiance : null,
+            },
+      bill: this.parts.map(({ name, kind, effect }, part) => ({
+        part,
+        name,
+        kind,
+        effect,
+        multiply_adds: line(part)[0],
+        bytes: line(part)[1],
+        without_delta_e2000: single(line(part)[2]),
+        without_hex: hex(line(part).subarray(3, 6)),
+        left_out: budget !== null && ((left >> part) & 1) === 1,
+      })),
+      walked: { multiply_adds: out[178], bytes: out[179] },
+      folded: { multiply_adds: out[180], bytes: out[181] },
+      shown: { off, delta_e2000: single(out[188]), multiply_adds: out[189] },
+      budget:
+        budget === null
+          ? null
+          : {
+              delta_e2000: budget,
+              left_out: this.parts.map((_, k) => k).filter((k) => (left >> k) & 1),
+              cost_delta_e2000: single(out[190]),
+              hex: hex(out.subarray(192, 195)),
+              multiply_adds: out[191],
+            },
+    };
+  }
+}

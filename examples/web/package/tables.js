@@ -1,0 +1,237 @@
+// Measured tables travel as decimal integers, predicted from those before and Rice coded: a tenth of their size as f32,
+// and the same bits when they arrive. tools/pack.mjs packs them.
+//
+// A table is 6 bytes (rule, columns, rows in two, zeros in front and behind), the order of the prediction and its
+// columns as one stream of bits. 16 numbers share a count of decimals and a parameter of the code.
+
+/** How a column becomes numbers. */
+export const RULES = { plain: 0, sample: 1, test: 2, copy: 3, lights: 4, daylight: 5 };
+
+export const BLOCK = 16;
+export const POWERS = Array.from({ length: 16 }, (_, k) => 10 ** k);
+
+/** What a number should be, from those before it: a polynomial through `order` of them, in units of 1 / scale. */
+export function predicted(values, at, order, scale) {
+  const before = (j) => (at >= j ? Math.round(values[at - j] * scale) : 0);
+  if (order === 0) return 0;
+  if (order === 1) return before(1);
+  if (order === 2) return 2 * before(1) - before(2);
+  if (order === 3) return 3 * before(1) - 3 * before(2) + before(3);
+  return 4 * before(1) - 6 * before(2) + 4 * before(3) - before(4);
+}
+
+/**
+ * @param {Uint8Array} bytes
+ * @returns {Float32Array[]} for each table its columns, one after the other, as they lie in a module's memory
+ */
+export function unpack(bytes) {
+  let at = 0,
+    bit = 0;
+  const next = () => {
+    const value = (bytes[at] >> (7 - bit)) & 1;
+    if (++bit === 8) {
+      bit = 0;
+      at++;
+    }
+    return value;
+  };
+  const number = (n) => {
+    let x = 0;
+    while (n-- > 0) x = x * 2 + next();
+    return x;
+  };
+  const tables = [],
+    published = [];
+  for (let left = bytes[at++]; left > 0; left--) {
+    const [kind, columns, low, high, before, behind] = bytes.subarray(at, (at += 6));
+    const rows = low + 256 * high,
+      order = kind >> 3;
+    const read = Array.from({ length: columns }, () => {
+      const values = [];
+      for (let k = 0, scale = 1; values.length < rows;) {
+        if (values.length % BLOCK === 0) {
+          scale = POWERS[number(4)];
+          k = number(5);
+        }
+        let q = 0;
+        while (next()) q++;
+        const z = q * 2 ** k + number(k);
+        values.push((predicted(values, values.length, order, scale) + (z % 2 ? -(z + 1) / 2 : z / 2)) / scale);
+      }
+      return values;
+    });
+    if (bit) {
+      bit = 0;
+      at++;
+    }
+    published.push(read);
+    tables.push(numbers(kind & 7, read, before, behind, tables, published));
+  }
+  return tables;
+}
+
+/** From published digits to the f32 that the crate's build script makes of them. */
+function numbers(rule, columns, before, behind, tables, published) {
+  if (rule === RULES.copy) {
+    const [[table, column, length]] = columns;
+    return tables[table].slice(column * length, (column + 1) * length);
+  }
+  if (rule === RULES.lights || rule === RULES.daylight) {
+    const [[eye, samples, ...parts]] = columns;
+    const lights =
+      rule === RULES.lights
+        ? [
+            [350, 150],
+            [750.5, 250.5],
+          ].flatMap((half) => blackBodies(...half, published[eye][1]))
+        : parts.map((part) => linear(tables[part]));
+    return colors(lights, tables[eye], testColors(published[samples]));
+  }
+  if (rule === RULES.test) return Float32Array.from(nodes(columns));
+  const whole = columns.map((values) => {
+    if (rule === RULES.sample) return quintic(values);
+    return [...Array(before).fill(0), ...values, ...Array(behind).fill(0)];
+  });
+  return Float32Array.from(whole.flat());
+}
+
+/** 5 nm to 1 nm as CIE 224 did it: Sprague's quintic, the ends held. */
+function quintic(v) {
+  const at = (i) => v[Math.min(Math.max(i, 0), v.length - 1)];
+  const out = [];
+  for (let i = 0; i <= 5 * (v.length - 1); i++) {
+    const cell = Math.min(Math.floor(i / 5), v.length - 2),
+      t = (i - 5 * cell) / 5;
+    const p = [-2, -1, 0, 1, 2, 3].map((j) => at(cell + j));
+    const a1 = (2 * p[0] - 16 * p[1] + 16 * p[3] - 2 * p[4]) / 24;
+    const a2 = (-p[0] + 16 * p[1] - 30 * p[2] + 16 * p[3] - p[4]) / 24;
+    const a3 = (-9 * p[0] + 39 * p[1] - 70 * p[2] + 66 * p[3] - 33 * p[4] + 7 * p[5]) / 24;
+    const a4 = (13 * p[0] - 64 * p[1] + 126 * p[2] - 124 * p[3] + 61 * p[4] - 12 * p[5]) / 24;
+    const a5 = (-5 * p[0] + 25 * p[1] - 50 * p[2] + 50 * p[3] - 25 * p[4] + 5 * p[5]) / 24;
+    // Nine decimals are published; beyond them is only the rounding of these sums.
+    out.push(Math.round((p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5))))) * 1e9) / 1e9);
+  }
+  return out;
+}
+
+/** A sample one step beyond an end and two, from the six inside, nearest first. */
+const BEYOND = [
+  [508, -540, 488, -367, 144, -24],
+  [884, -1960, 3033, -2648, 1080, -180],
+].map((weights) => weights.map((x) => Math.fround(x / 209)));
+
+/** The 15 test colours and a white, node after node, two nodes beyond each end: as the crate sums them. */
+function nodes(columns) {
+  const inside = columns.map((values) => values.map(Math.fround));
+  const beyond = (at) => BEYOND.map((weights) => weights.reduce((sum, x, i) => sum + x * at(i), 0));
+  const whole = inside.map((v) => [...beyond((i) => v[i]).reverse(), ...v, ...beyond((i) => v[v.length - 1 - i])]);
+  return whole[0].flatMap((_, node) => [...whole.map((column) => column[node]), 1]);
+}
+
+/** What an eye sees of samples, and of a white as the last, under each of the lights; the sums of f64. */
+function colors(lights, eye, samples) {
+  const whole = [...samples, new Float32Array(471).fill(1)];
+  return Float32Array.from(
+    lights.flatMap((light) =>
+      [0, 471, 942].flatMap((row) => {
+        const seen = light.map((power, k) => power * eye[row + k]);
+        return whole.map((sample) => seen.reduce((sum, power, k) => sum + power * sample[k], 0));
+      }),
+    ),
+  );
+}
+
+const counted = (n, what) => Array.from({ length: n }, (_, k) => what(k));
+
+/** The terms of a Chebyshev series for black bodies with Y = 100, as tables/reference.rs makes them of the four operations. */
+function blackBodies(middle, half, ybar) {
+  const exp = (x) => {
+    let sum = 1;
+    for (let n = 14; n > 0; n--) sum = 1 + (x / 1024 / n) * sum;
+    for (let n = 0; n < 10; n++) sum *= sum;
+    return sum;
+  };
+  const places = counted(10, (k) => {
+    const angle = Math.PI * ((k + 0.5) / 10);
+    let sum = 1;
+    for (let n = 20; n > 0; n--) sum = 1 - ((angle * angle) / (2 * n * (2 * n - 1))) * sum;
+    return sum;
+  });
+  const lights = places.map((place) => {
+    const light = counted(471, (k) => {
+      const ratio = 560 / (360 + k),
+        a = (1.4388e7 * 1e-6) / (360 + k),
+        x = a * (middle + half * place);
+      return (ratio * ratio * ratio * ratio * ratio * (x / (exp(x) - 1))) / a;
+    });
+    const y = light.reduce((sum, value, k) => sum + value * ybar[k], 0);
+    return light.map((value) => (value * 100) / y);
+  });
+  let [before, now] = [places, places.map(() => 1)];
+  return counted(10, (n) => {
+    const shares = now.map((term) => ((n ? 2 : 1) / 10) * term);
+    [before, now] = [now, now.map((term, k) => (n ? 2 * places[k] * term - before[k] : places[k]))];
+    return counted(471, (k) => shares.reduce((sum, share, j) => sum + share * lights[j][k], 0));
+  });
+}
+
+const f = Math.fround;
+
+/** 5 nm from 300 nm on by straight lines to 360..830 nm, in f32. */
+const linear = (v) =>
+  counted(471, (k) => {
+    const cell = Math.min(Math.floor((60 + k) / 5), v.length - 2);
+    return f(v[cell] + f(f((60 + k - 5 * cell) / 5) * f(v[cell + 1] - v[cell])));
+  });
+
+/** The test colours every nanometre; the last, tabulated over 380..780 nm, held beyond. */
+const testColors = (columns) =>
+  columns.map((values, k) => (k < 14 ? sprague(values.map(f), 0) : sprague(values.slice(4, 85).map(f), 4)));
+
+/**
+ * 5 nm to the nodes 360..830 nm as the crate does it, in f32 operation by operation; end values held.
+ * @param {number[]} v values @param {number} first where they begin, in steps of 5 nm above 360 nm
+ */
+function sprague(v, first) {
+  const n = v.length;
+  const out = [];
+  for (let nm = 360; nm <= 830; nm++) {
+    const distance = nm - 360 - 5 * first;
+    if (distance < 0) {
+      out.push(v[0]);
+      continue;
+    }
+    if (distance > 5 * (n - 1)) {
+      out.push(v[n - 1]);
+      continue;
+    }
+    const cell = Math.min(Math.floor(distance / 5), n - 2);
+    const t = f((distance - cell * 5) / 5);
+    // Horner's scheme, each step rounded; `c` from the innermost outwards.
+    const horner = (c) => c.reduce((sum, x) => f(x + f(t * sum)));
+    const q = [
+      f(f(t * horner([f(13 - f(5 * t)), -9, -1, 2])) / 24),
+      f(f(t * horner([f(-64 + f(25 * t)), 39, 16, -16])) / 24),
+      f(1 + f(f(f(t * t) * horner([f(126 - f(50 * t)), -70, -30])) / 24)),
+      f(f(t * horner([f(-124 + f(50 * t)), 66, 16, 16])) / 24),
+      f(f(t * horner([f(61 - f(25 * t)), -33, -1, -2])) / 24),
+      f(f(f(f(t * t) * t) * horner([f(-12 + f(5 * t)), 7])) / 24),
+    ];
+    const start = Math.min(Math.max(cell - 2, 0), n - 6);
+    const w = [0, 0, 0, 0, 0, 0];
+    for (let j = 0; j < 6; j++) {
+      const k = cell + j;
+      if (k < 2) {
+        const outer = BEYOND[k === 0 ? 1 : 0];
+        for (let i = 0; i < 6; i++) w[i] = f(w[i] + f(q[j] * outer[i]));
+      } else if (k - 2 >= n) {
+        const outer = BEYOND[k - 2 > n ? 1 : 0];
+        for (let i = 0; i < 6; i++) w[5 - i] = f(w[5 - i] + f(q[j] * outer[i]));
+      } else if (k - 2 - start < 6) w[k - 2 - start] = f(w[k - 2 - start] + q[j]);
+    }
+    let sum = 0;
+    for (let j = 0; j < 6; j++) if (w[j] !== 0) sum = f(sum + f(w[j] * f(v[start + j] - v[cell])));
+    out.push(f(v[cell] + sum));
+  }
+  return out;
+}

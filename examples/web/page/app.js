@@ -1,0 +1,83 @@
+// The page: tabs, theme, the link that carries the state, and the four instruments.
+import { setEye } from './color.js';
+import { copy, h, say } from './dom.js';
+import { begin, remember, spectra, state } from './session.js';
+
+/** Each is fetched when its tab is opened. */
+const instruments = {
+  light: () => import('./light.js'),
+  paint: () => import('./paint.js'),
+  scene: () => import('./scene.js'),
+  cost: () => import('./cost.js'),
+};
+const TABS = Object.keys(instruments);
+
+const built = new Set();
+async function show(tab, focus = false) {
+  const chosen = TABS.includes(tab) ? tab : 'light';
+  for (const name of TABS) {
+    const button = document.getElementById(`tab-${name}`),
+      is = name === chosen;
+    button.setAttribute('aria-selected', is);
+    button.tabIndex = is ? 0 : -1;
+    if (is && focus) button.focus();
+    document.getElementById(name).hidden = !is;
+  }
+  remember({ tab: chosen });
+  if (built.has(chosen)) return;
+  built.add(chosen);
+  const section = document.getElementById(chosen);
+  try {
+    const { build } = await instruments[chosen]();
+    await build(section);
+  } catch (error) {
+    failed(section, error);
+  }
+}
+
+/** Says why a part of the page is not there. @param {HTMLElement} where */
+function failed(where, error) {
+  where.prepend(h('p', { class: 'failure', role: 'alert' }, `The instrument did not start: ${error.message}`));
+  say('The instrument did not start');
+  throw error;
+}
+
+for (const name of TABS) document.getElementById(`tab-${name}`).addEventListener('click', () => show(name));
+document.querySelector('[role=tablist]').addEventListener('keydown', (event) => {
+  const at = TABS.indexOf(state.tab),
+    to = { ArrowRight: at + 1, ArrowLeft: at + 3, Home: 0, End: 3 }[event.key];
+  if (to !== undefined) {
+    event.preventDefault();
+    show(TABS[to % 4], true);
+  }
+});
+
+const theme = document.getElementById('theme'),
+  dark = matchMedia('(prefers-color-scheme: dark)');
+function applyTheme() {
+  const chosen = state.theme ?? (dark.matches ? 'dark' : 'light');
+  document.documentElement.dataset.theme = chosen;
+  theme.setAttribute('aria-pressed', chosen === 'dark');
+}
+theme.addEventListener('click', () => {
+  const next = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
+  remember({ theme: next === (dark.matches ? 'dark' : 'light') ? undefined : next });
+  applyTheme();
+});
+dark.addEventListener('change', applyTheme);
+applyTheme();
+// A link that is pasted into this page is another state of everything.
+addEventListener('hashchange', () => location.reload());
+document.getElementById('link').addEventListener('click', () => copy(location.href, 'Link'));
+
+try {
+  await begin();
+  setEye(spectra.tables[0]);
+  document.getElementById('build').textContent = spectra.simd
+    ? 'Running with simd128.'
+    : 'Running without simd128.';
+  await show(state.tab);
+  document.documentElement.dataset.ready = 'yes';
+} catch (error) {
+  failed(document.getElementById('main'), error);
+}

@@ -1,0 +1,251 @@
+// Cost: how few bands will do, for which lamps, by which fold; the errors computed here, the instructions as recorded.
+import { closely } from './fold.js';
+import { download, figure, h, select } from './dom.js';
+import { cost as plot } from './plots.js';
+import { lampNames, remember, spectra, state } from './session.js';
+
+/** What tests/devices.sh counts the instructions of. */
+const BANDS = [8, 12, 16, 20, 24, 31, 36, 40, 60, 81];
+const SCHEMES = ['step', 'parabola', 'spline', 'not folded'];
+const RANGES = [
+  [380, 730],
+  [400, 700],
+  [360, 830],
+];
+const TARGETS = {
+  'thumbv7em-none-eabihf': 'Cortex-M4F',
+  'thumbv8m.main-none-eabihf': 'Cortex-M33',
+  'thumbv6m-none-eabi': 'Cortex-M0',
+  'riscv32imac-unknown-none-elf': 'RV32IMAC',
+};
+/** Lamps by the kind of their spectra: what one kind forgives, another does not. */
+const KINDS = {
+  all: ['all lamps', () => true],
+  smooth: ['daylight and filaments', (name) => /^(E|A|C|D\d|ID)/.test(name)],
+  halophosphate: ['fluorescent, broad phosphors', (name) => /^FL([1-9]|3\.[1-6])$/.test(name)],
+  triphosphor: ['fluorescent, narrow phosphors', (name) => /^FL(1[0-2]|3\.([7-9]|1\d))$/.test(name)],
+  led: ['LED', (name) => /^(LED|L41)/.test(name)],
+  hid: ['discharge', (name) => /^HP/.test(name)],
+};
+let under, lamps, view, counts, results;
+
+/** Over every lamp and sample. */
+function errors(bands, scheme) {
+  const all = lamps.flatMap((coarsely) => coarsely(bands, RANGES[state.range], scheme)).sort((a, b) => a - b);
+  return {
+    mean: all.reduce((sum, error) => sum + error, 0) / all.length,
+    p95: all[Math.ceil(0.95 * all.length) - 1],
+    max: all.at(-1),
+  };
+}
+
+function look() {
+  const [, belongs] = KINDS[state.costlamp] ?? [null, (name) => name === state.costlamp];
+  lamps = lampNames()
+    .filter(belongs)
+    .map((name) => {
+      spectra.named(name, 'lamp');
+      return under(spectra.curve.slice());
+    });
+  sweep();
+}
+
+/** Every point of the plot. */
+function sweep() {
+  results = SCHEMES.map((name, k) => ({ name, points: BANDS.map((N) => [N, errors(N, k)]) }));
+  work();
+}
+
+function work() {
+  const bands = Number(state.bands),
+    scheme = Number(state.scheme);
+  const here = results[scheme].points.find(([N]) => N === bands)[1];
+  view.bandsSaid.textContent = `${bands} bands`;
+  view.slider.setAttribute('aria-valuetext', `${bands} bands`);
+  const size = [view.plot.width(), 300];
+  view.plot.draw(
+    plot(
+      results.map(({ name, points }, k) => ({
+        name,
+        chosen: k === scheme,
+        points: points.map(([N, { mean }]) => [N, mean]),
+      })),
+      [bands, here.mean],
+      size[0] < 500 ? BANDS.filter((_, k) => k % 2 === 0) : BANDS,
+      size[0],
+    ),
+    `mean error of four schemes against the number of bands; ${SCHEMES[scheme]} with ${bands} bands is ${here.mean.toPrecision(2)} off`,
+    size,
+  );
+  const bytes = 12 * bands + (scheme === 3 ? 4 * bands : 0);
+  view.big.replaceChildren(
+    ...[
+      ['mean', here.mean],
+      ['95 %', here.p95],
+      ['worst', here.max],
+    ].map(([name, value]) => h('div', {}, h('dt', {}, `${name} CIEDE2000`), h('dd', {}, value.toPrecision(2)))),
+    h('div', {}, h('dt', {}, 'multiply-adds'), h('dd', {}, String(3 * bands + (scheme === 3 ? bands : 0)))),
+    h('div', {}, h('dt', {}, 'table, bytes'), h('dd', {}, String(bytes))),
+  );
+  const kind = scheme === 3 ? 'walked' : 'folded';
+  view.counted.textContent = `${bands} bands to X, Y, Z; exact, as tests/devices.sh records them`;
+  view.rows.replaceChildren(
+    ...Object.entries(TARGETS)
+      .filter(([target]) => counts[target])
+      .map(([target, name]) =>
+        h(
+          'tr',
+          {},
+          h('th', { scope: 'row' }, name),
+          ...['release', 'small'].map((profile) =>
+            h('td', { class: 'n' }, counts[target][kind]?.[profile]?.[bands]?.toLocaleString('en') ?? ''),
+          ),
+        ),
+      ),
+  );
+}
+
+/** @param {HTMLElement} section */
+export async function build(section) {
+  counts = await (await fetch(new URL('instructions.json', import.meta.url))).json();
+  under = closely(spectra);
+  if (!(state.range in RANGES)) remember({ range: '0' });
+  if (!BANDS.includes(Number(state.bands))) remember({ bands: '16' });
+  if (!(Number(state.scheme) in SCHEMES)) remember({ scheme: '2' });
+  view = {
+    slider: h('input', {
+      type: 'range',
+      id: 'bands',
+      min: 0,
+      max: BANDS.length - 1,
+      value: BANDS.indexOf(Number(state.bands)),
+      oninput: (event) => {
+        remember({ bands: String(BANDS[Number(event.target.value)]) });
+        work();
+      },
+    }),
+    bandsSaid: h('output', { for: 'bands' }),
+    plot: figure('What few bands cost', 'cost', [640, 300]),
+    big: h('dl', { 'aria-live': 'polite' }),
+    counted: h('caption'),
+    rows: h('tbody'),
+  };
+  view.plot.element.classList.add('third');
+  const csv = () =>
+    [
+      'bands,scheme,mean,p95,max',
+      ...results.flatMap(({ name, points }) =>
+        points.map(([N, { mean, p95, max }]) => [N, name, mean, p95, max].join(',')),
+      ),
+    ].join('\n') + '\n';
+  section.append(
+    h(
+      'div',
+      { class: 'grid' },
+      h(
+        'div',
+        { class: 'column' },
+        h(
+          'div',
+          { class: 'card first' },
+          h('h2', {}, 'How many bands will do?'),
+          h('label', { for: 'bands' }, view.bandsSaid),
+          view.slider,
+          h(
+            'div',
+            { class: 'row' },
+            select(
+              'Lamps',
+              [...Object.entries(KINDS).map(([key, [name]]) => [key, name]), ...lampNames()],
+              state.costlamp,
+              (value) => {
+                remember({ costlamp: value });
+                look();
+              },
+              'cost-lamp',
+            ),
+            select(
+              'Range',
+              RANGES.map(([from, to], k) => [String(k), `${from}..${to} nm`]),
+              state.range,
+              (value) => {
+                remember({ range: value });
+                sweep();
+              },
+              'range',
+            ),
+          ),
+          h(
+            'fieldset',
+            { style: 'margin-top:.75rem' },
+            h('legend', {}, 'Fold'),
+            ...SCHEMES.map((name, k) =>
+              h(
+                'label',
+                { class: 'check' },
+                h('input', {
+                  type: 'radio',
+                  name: 'scheme',
+                  checked: k === Number(state.scheme),
+                  onchange: () => {
+                    remember({ scheme: String(k) });
+                    work();
+                  },
+                }),
+                name,
+              ),
+            ),
+          ),
+        ),
+        view.plot.element,
+      ),
+      h(
+        'div',
+        { class: 'column' },
+        h(
+          'div',
+          { class: 'card second' },
+          h('h2', {}, 'What that costs'),
+          h('div', { class: 'answer' }, view.big),
+          h(
+            'p',
+            { class: 'hint' },
+            'Against the sum at 1 nm, over the 99 colour evaluation samples of CIE 224 under each lamp; computed here as the crate folds.',
+          ),
+        ),
+        h(
+          'div',
+          { class: 'card' },
+          h('h2', {}, 'Instructions'),
+          h(
+            'div',
+            { class: 'wide' },
+            h(
+              'table',
+              {},
+              view.counted,
+              h(
+                'thead',
+                {},
+                h('tr', {}, ...['', 'opt-level 3', 'opt-level s'].map((name) => h('th', { scope: 'col', class: 'n' }, name))),
+              ),
+              view.rows,
+            ),
+          ),
+          h(
+            'div',
+            { class: 'export', style: 'margin-top:.75rem' },
+            h('button', { type: 'button', onclick: () => download('cost.csv', csv(), 'text/csv') }, 'CSV'),
+            h(
+              'button',
+              { type: 'button', onclick: () => download('cost.json', JSON.stringify(results), 'application/json') },
+              'JSON',
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
+  look();
+  new ResizeObserver(work).observe(section);
+}

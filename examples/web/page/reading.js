@@ -1,0 +1,160 @@
+// A reading of the colorimeter on the page: plots, numbers, notes.
+import { copy, h } from './dom.js';
+import { DRAWN, asSlider, hand } from './drawing.js';
+import { bars, chromaticity, spectrum as plot, vectors } from './plots.js';
+import { spectra, state } from './session.js';
+
+/** What the table says: key of the report, name, unit. */
+const ROWS = [
+  ['XYZ', 'X, Y, Z'],
+  ['xy', 'x, y'],
+  ['uv1976', 'u′, v′ (1976)'],
+  ['uv1960', 'u, v (1960)'],
+  ['cct_k', 'CCT', 'K'],
+  ['duv', 'Duv'],
+  ['lab', 'L*, a*, b*'],
+  ['delta_e2000', 'CIEDE2000 to white'],
+  ['dominant_wavelength_nm', 'Dominant wavelength', 'nm'],
+  ['purity', 'Purity'],
+  ['hex', 'sRGB'],
+  ['cri_ra', 'CRI Ra'],
+  ['tm30_rf', 'TM-30 Rf'],
+  ['tm30_rg', 'TM-30 Rg'],
+  ['ler_lm_per_w', 'Luminous efficacy', 'lm/W'],
+  ['melanopic_edi_ratio', 'Melanopic ratio'],
+  ['lux', 'Illuminance', 'lx'],
+  ['ppfd', 'PPFD', 'µmol/m²/s'],
+];
+
+let planck, tcs;
+
+/** Chromaticities of black bodies. */
+function blackBodies() {
+  return [1000, 1300, 1600, 2000, 2500, 3000, 3500, 4000, 5000, 6000, 7000, 8500, 10000, 15000, 25000, 100000].map(
+    (kelvin) => {
+      spectra.wasm.black_body(kelvin);
+      spectra.wasm.see_light(0);
+      return Array.from(spectra.out.slice(6, 8));
+    },
+  );
+}
+
+/** The test colour samples under D65. */
+function sampleColors() {
+  // Every 5 nm 15 samples and a white, from two nodes in front of 360 nm on.
+  const table = spectra.tables.at(-4);
+  spectra.named('D65', '');
+  spectra.light.set(spectra.curve);
+  return Array.from({ length: 15 }, (_, k) => {
+    const samples = Array.from({ length: 95 }, (_, node) => [360 + 5 * node, table[16 * (node + 2) + k]]);
+    spectra.read({ samples, file: '', name: '', lines: [] });
+    spectra.wasm.see_surface(0);
+    return `rgb(${spectra.out.slice(18, 21)})`;
+  });
+}
+
+/** What no reading changes. */
+export function prepare() {
+  planck = blackBodies();
+  tcs = sampleColors();
+}
+
+const text = (value) => (value === null ? 'none' : Array.isArray(value) ? value.join(', ') : String(value));
+const rounded = (value, digits) => (value === null ? 'none' : value.toFixed(digits));
+
+/** Shows a reading in every place that has a part of it. */
+export function show(view, source, reading) {
+  const { curve, scale = 1 } = reading,
+    live = Boolean(state.drawn);
+  const samples = Array.from(curve, (value, k) => [360 + k, value * scale]).filter(
+    ([nm]) => nm >= 380 && nm <= 780,
+  );
+  const unit = state.kind === 'surface' ? 'reflectance' : state.unit === 'absolute' ? 'W/m²/nm' : 'relative power';
+  const size = [view.spd.width(), 300];
+  const spd = plot(samples, unit, {
+    id: 'spd',
+    size,
+    top: live ? 1 : undefined,
+    cursor: live ? [DRAWN[hand.cursor], hand.values[hand.cursor]] : undefined,
+  });
+  view.spd.svg.scale = spd;
+  const peak = samples.reduce((best, sample) => (sample[1] > best[1] ? sample : best));
+  view.spd.draw(spd.inside, `${source.name}, highest at ${peak[0]} nm`, size);
+  asSlider(view.spd.svg, live);
+  view.hint.hidden = !live;
+
+  const { xy } = reading;
+  for (const [diagram, drawing] of Object.entries(view.diagrams)) {
+    drawing.element.hidden = state.diagram !== diagram && !matchMedia('(min-width: 62rem)').matches;
+    drawing.draw(
+      chromaticity(diagram, planck, xy ? [{ xy }] : []),
+      xy ? `the point is at x = ${xy[0].toFixed(4)}, y = ${xy[1].toFixed(4)}` : 'no chromaticity',
+    );
+  }
+  view.swatch.style.background = reading.hex ?? 'transparent';
+  view.swatch.setAttribute('aria-label', `Colour ${reading.hex ?? 'none'}`);
+  const big =
+    state.kind === 'surface'
+      ? [
+          ['L*', rounded(reading.lab?.[0] ?? null, 1)],
+          ['a*', rounded(reading.lab?.[1] ?? null, 1)],
+          ['b*', rounded(reading.lab?.[2] ?? null, 1)],
+          ['sRGB', reading.hex],
+        ]
+      : [
+          ['CCT', reading.cct_k === null ? 'none' : `${Math.round(reading.cct_k)} K`],
+          ['Duv', rounded(reading.duv, 4)],
+          ['Ra', rounded(reading.cri_ra, 1)],
+          ['Rf', rounded(reading.tm30_rf, 1)],
+          ['Rg', rounded(reading.tm30_rg, 1)],
+          ['sRGB', reading.hex],
+        ];
+  view.big.replaceChildren(
+    ...big.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value ?? 'none'))),
+  );
+  view.rows.replaceChildren(
+    ...ROWS.filter(([key]) => reading[key] !== null).map(([key, name, unit]) => {
+      const value = text(reading[key]);
+      return h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, name),
+        h(
+          'td',
+          {},
+          h(
+            'button',
+            {
+              type: 'button',
+              class: 'copy',
+              'data-key': key,
+              title: 'Copy',
+              onclick: () => copy(value, name),
+            },
+            value,
+          ),
+          unit ? ` ${unit}` : '',
+        ),
+      );
+    }),
+  );
+  view.cri.element.hidden = reading.cri_r === null;
+  if (reading.cri_r)
+    view.cri.draw(
+      bars(reading.cri_r, tcs, view.cri.width()),
+      `Ra ${reading.cri_ra.toFixed(1)}; ${reading.cri_r.map((r, k) => `R${k + 1} ${r.toFixed(0)}`).join(', ')}`,
+      [view.cri.width(), 228],
+    );
+  view.tm30.element.hidden = !reading.tm30;
+  if (reading.tm30)
+    view.tm30.draw(
+      vectors(reading.tm30),
+      `Rf ${reading.tm30.rf.toFixed(1)}, Rg ${reading.tm30.rg.toFixed(1)}; shifts of 16 hues against the reference circle`,
+    );
+  const notes = new Map();
+  for (const note of reading.notes) {
+    const [, key, words] = /^(\w+): (.*)$/s.exec(note);
+    notes.set(words, [...(notes.get(words) ?? []), key]);
+  }
+  view.notes.replaceChildren(...[...notes].map(([words, keys]) => h('li', {}, `${keys.join(', ')}: ${words}`)));
+}

@@ -1,0 +1,54 @@
+// What all instruments share: the module that measures, and the state that the link carries.
+import { load } from './nanospectra/nanospectra.js';
+
+/** What the link carries. @type {Record<string, string>} */
+export const state = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+/** What is left out of the link because it goes without saying. */
+const usual = {
+  tab: 'light',
+  lamp: 'LED-B3',
+  observer: '1931',
+  interpolation: 'linear',
+  unit: 'relative',
+  kind: 'light',
+  under: 'D65',
+  diagram: '1976',
+  rgb: '#cc331a',
+  method: 'sigmoid',
+  scene: 'vest',
+  off: '',
+  budget: '',
+  costlamp: 'all',
+  bands: '16',
+  range: '0',
+  scheme: '2',
+};
+for (const [key, value] of Object.entries(usual)) state[key] ??= value;
+
+/** Remembers in the address, without a step in the history. @param {Record<string, string | undefined>} changes */
+export function remember(changes) {
+  for (const [key, value] of Object.entries(changes))
+    value === undefined ? delete state[key] : (state[key] = value);
+  const told = Object.entries(state).filter(([key, value]) => value !== usual[key]);
+  history.replaceState(null, '', `#${new URLSearchParams(told)}`);
+}
+
+const base = new URL('nanospectra/', import.meta.url);
+let lamps;
+
+/** The module `name`, which knows the CIE's lamps. @param {'light' | 'paint' | 'scene'} module */
+export async function fetched(module) {
+  const instrument = await load({ module, base });
+  lamps ??= await instrument.loadLamps(base);
+  instrument.lamps = lamps;
+  return instrument;
+}
+
+/** The names of the CIE's lamps. */
+export const lampNames = () => ['E', ...[...lamps.keys()].filter((name) => name !== 'E')];
+
+/** What measures lights and surfaces; there before any tab is shown. @type {import('./nanospectra/nanospectra.js').Light} */
+export let spectra;
+export async function begin() {
+  spectra = await fetched('light');
+}

@@ -1,0 +1,99 @@
+//! The memory that JavaScript and the module share: fixed buffers, whose addresses are asked for once.
+
+use crate::fixed::Fixed;
+use core::mem::offset_of;
+use nanospectra::{Fine, Interpolation, Outside, Power, SamplesError, Spectrum};
+
+/// The most samples of a spectrum; a spectrometer has 2048 or 3648 pixels.
+pub const CAPACITY: usize = 4096;
+
+/// Numbers for JavaScript.
+pub type Out = [f32; 512];
+
+/// Everything that goes in and out.
+pub struct Board {
+    /// Pairs of wavelength in nm and value, in.
+    pub samples: [(f32, f32); CAPACITY],
+    /// What they are at every nanometre of 360..=830; JavaScript may also write to it.
+    pub curve: Fine<Power>,
+    /// The light on surfaces, likewise.
+    pub light: Fine<Power>,
+    /// Results; each function says what stands where.
+    pub out: Out,
+}
+
+// JavaScript writes pairs one after the other.
+const _: () = assert!(offset_of!((f32, f32), 0) == 0 && offset_of!((f32, f32), 1) == 4);
+
+static BOARD: Fixed<Board> = Fixed::new(Board {
+    samples: [(0.0, 0.0); CAPACITY],
+    curve: Spectrum::flat(0.0),
+    light: Spectrum::flat(0.0),
+    out: [0.0; 512],
+});
+
+pub fn board() -> &'static mut Board {
+    BOARD.get()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn samples() -> *mut (f32, f32) {
+    board().samples.as_mut_ptr()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn curve() -> *mut f32 {
+    board().curve.values_mut().as_mut_ptr()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn light() -> *mut f32 {
+    board().light.values_mut().as_mut_ptr()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn out() -> *mut f32 {
+    board().out.as_mut_ptr()
+}
+
+/// Writes numbers from place `at` on. (Of known size and inlined: then there is nothing to check.)
+#[cfg(any(feature = "core", feature = "light", feature = "scene"))]
+#[inline(always)]
+pub fn put<const N: usize>(out: &mut Out, at: usize, values: [f32; N]) {
+    if let Some(slots) = out.get_mut(at..).and_then(|rest| rest.first_chunk_mut()) {
+        *slots = values;
+    }
+}
+
+/// The first `count` samples.
+pub fn given(samples: &[(f32, f32); CAPACITY], count: u32) -> &[(f32, f32)] {
+    samples.get(..count as usize).unwrap_or(samples)
+}
+
+/// An error as a number: the kind, and 8 times the sample or the number that is needed.
+pub fn code(error: SamplesError) -> u32 {
+    match error {
+        SamplesError::TooFew { needed } => 1 + 8 * needed as u32,
+        SamplesError::NotFinite { index } => 2 + 8 * index as u32,
+        SamplesError::NotIncreasing { index } => 3 + 8 * index as u32,
+        SamplesError::NotRegular { index } => 4 + 8 * index as u32,
+        _ => 5,
+    }
+}
+
+/// Reads the samples at every nanometre into `curve`: linearly or by Sprague's rule (1; not in the small
+/// module), zero outside or held (1). Gives 0 or the [`code`] of an error.
+#[unsafe(no_mangle)]
+extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
+    let board = board();
+    let is_sprague = cfg!(feature = "light") && sprague == 1;
+    let by = if is_sprague { Interpolation::Sprague } else { Interpolation::Linear };
+    let outside = if hold == 0 { Outside::Zero } else { Outside::Hold };
+    match Fine::interpolated(given(&board.samples, count), by, outside) {
+        Ok(fine) => {
+            board.curve = fine;
+            0
+        }
+        Err(error) => code(error),
+    }
+}

@@ -1,0 +1,11 @@
+//! What a display shows.
+
+use nanospectra::color::{Adaptation, Cat16, Rgb, RgbSpace, Srgb, Xyz};
+
+/// Seen under a white, X, Y, Z (Y = 1 for white) as linear sRGB adapted to D65, and as its 8-bit codes.
+#[inline(never)]
+pub fn displayed(seen: Xyz, white: Xyz) -> (Rgb<Srgb>, [f32; 3]) {
+    let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ);
+    let rgb = Rgb::from_xyz(adaptation.map_or(seen, |adaptation| adaptation.apply(seen)));
+    (rgb, rgb.clip().rgb.encode().to_u8().map(f32::from))
+}

@@ -1,0 +1,124 @@
+//! What a light is good for: rendering, efficacy, clocks, plants; and the pure colour that it resembles.
+
+use crate::board::board;
+use crate::fixed::Fixed;
+use crate::measure::{at, eye};
+use nanospectra::color::{Cri, RenderingError, Tm30, Xy, cri, dominant_wavelength, tm30};
+use nanospectra::light::blackbody_relative;
+use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
+use nanospectra::{Fine, Power};
+
+/// Into `out`: dominant wavelength and purity of the chromaticity that is there, seen against white x, y.
+#[unsafe(no_mangle)]
+extern "C" fn dominant(observer: u32, white_x: f32, white_y: f32) {
+    let out = &mut board().out;
+    let [x, y] = [out[at::CHROMATICITY], out[at::CHROMATICITY + 1]];
+    let found = dominant_wavelength(Xy { x, y }, Xy { x: white_x, y: white_y }, eye(observer));
+    let values = found.map_or([f32::NAN, 0.0], |dominant| [dominant.nm, dominant.purity]);
+    out[..2].copy_from_slice(&values);
+}
+
+/// Into `out`: luminous efficacy of radiation in lm/W, the melanopic daylight efficacy ratio, then of W/m2/nm
+/// the illuminance in lx and the PPFD in umol/m2/s.
+#[unsafe(no_mangle)]
+extern "C" fn photometry() {
+    let board = board();
+    let light = &board.curve;
+    board.out[0] = luminous_efficacy(light).unwrap_or(f32::NAN);
+    board.out[1] = AlphaOpic::der(light).map_or(f32::NAN, |ratios| ratios.melanopic);
+    board.out[2] = illuminance(light);
+    board.out[3] = ppfd(light);
+}
+
+/// Why there is no rendering; 0 is for success.
+fn reason(error: RenderingError) -> u32 {
+    use nanospectra::color::Cct;
+    match error {
+        RenderingError::Dark => 1,
+        RenderingError::Unreal => 2,
+        RenderingError::NoReference(Cct::TooCold) => 3,
+        RenderingError::NoReference(Cct::TooHot) => 4,
+        _ => 5,
+    }
+}
+
+fn put_cri(light: &Fine<Power>, out: &mut [f32]) -> u32 {
+    match cri(light) {
+        Ok(Cri { ra, r, dc, .. }) => {
+            for (slot, value) in out.iter_mut().zip([ra, dc].into_iter().chain(r)) {
+                *slot = value;
+            }
+            0
+        }
+        Err(error) => reason(error),
+    }
+}
+
+/// Into `out`: Ra, the distance to the reference, R1..R15. Gives 0 or the reason why there are none.
+#[unsafe(no_mangle)]
+extern "C" fn rendering() -> u32 {
+    let board = board();
+    put_cri(&board.curve, &mut board.out)
+}
+
+/// Into `out`: Rf, Rg; of each hue bin Rf, chroma shift, hue shift and the number of samples (16 times 4); Rf
+/// of the 99 samples. Gives 0 or the reason why there are none.
+#[unsafe(no_mangle)]
+extern "C" fn fidelity() -> u32 {
+    let board = board();
+    match tm30(&board.curve) {
+        Ok(Tm30 { rf, rg, rf_ces, bins, .. }) => {
+            let bins = bins.into_iter().flat_map(|bin| match bin {
+                Some(bin) => [bin.rf, bin.chroma_shift, bin.hue_shift, f32::from(bin.count)],
+                None => [f32::NAN, f32::NAN, f32::NAN, 0.0],
+            });
+            for (slot, value) in board.out.iter_mut().zip([rf, rg].into_iter().chain(bins).chain(rf_ces)) {
+                *slot = value;
+            }
+            0
+        }
+        Err(error) => reason(error),
+    }
+}
+
+/// A black body of that temperature, 1 at 560 nm, into `curve`.
+#[unsafe(no_mangle)]
+extern "C" fn black_body(kelvin: f32) {
+    board().curve = Fine::at_centres(|nm| blackbody_relative(nm, kelvin));
+}
+
+/// The most lights of a batch.
+const BATCH: usize = 512;
+
+/// A batch: 471 numbers a light in, 20 out.
+struct Batch {
+    lights: [Fine<Power>; BATCH],
+    results: [[f32; 20]; BATCH],
+}
+
+static BATCHES: Fixed<Batch> =
+    Fixed::new(Batch { lights: [Fine::flat(0.0); BATCH], results: [[0.0; 20]; BATCH] });
+
+#[unsafe(no_mangle)]
+extern "C" fn batch_lights() -> *mut Fine<Power> {
+    BATCHES.get().lights.as_mut_ptr()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn batch_results() -> *mut [f32; 20] {
+    BATCHES.get().results.as_mut_ptr()
+}
+
+/// Of the first `count` lights X, Y, Z (sums with the CIE 1931 functions), then Ra, the distance to the
+/// reference and R1..R15 (NaN where there are none).
+#[unsafe(no_mangle)]
+extern "C" fn measure_batch(count: u32) {
+    let Batch { lights, results } = BATCHES.get();
+    for (light, result) in lights.iter().zip(results).take(count as usize) {
+        let (xyz, rest) = result.split_at_mut(3);
+        xyz.copy_from_slice(&eye(0).sees(light));
+        if put_cri(light, rest) != 0 {
+            rest.fill(f32::NAN);
+        }
+    }
+}

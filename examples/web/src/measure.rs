@@ -1,0 +1,100 @@
+//! A spectrum to its colour: of a light, or of a surface in a light.
+
+use crate::board::{Out, board, put};
+use nanospectra::FineObserver;
+use nanospectra::color::{Cct, Rgb, Srgb, Uv1960, Uv1976, Xy, Xyz};
+use nanospectra::observer::{CIE_1931, KM};
+
+/// Where results stand in `out`. What has no value is NaN.
+pub mod at {
+    /// X, Y, Z with Y = 100 for a light, and of a surface for the perfect white.
+    pub const XYZ: usize = 0;
+    /// X, Y, Z of the curve as it is, times 683.002 (lights).
+    pub const ABSOLUTE: usize = 3;
+    /// x, y; then u, v of 1960; then u', v' of 1976.
+    pub const CHROMATICITY: usize = 6;
+    /// Correlated colour temperature in K, Duv, and what [`white`](super::white) says.
+    pub const CCT: usize = 12;
+    /// Encoded sRGB; then its 8-bit codes; then 1 if the colour was in the gamut. (Small module: linear sRGB.)
+    pub const SRGB: usize = 15;
+    /// L*, a*, b* (surfaces), and CIEDE2000 to white.
+    #[cfg(feature = "light")]
+    pub const LAB: usize = 22;
+}
+
+/// The eye by its number on the page.
+pub fn eye(number: u32) -> &'static FineObserver<3> {
+    #[cfg(feature = "light")]
+    match number {
+        1 => return &nanospectra::observer::CIE_1964,
+        2 => return &nanospectra::observer::CIE_2015_2,
+        3 => return &nanospectra::observer::CIE_2015_10,
+        _ => {}
+    }
+    let _ = number;
+    &CIE_1931
+}
+
+/// The light in `curve`. Gives 0, or 1 if its Y is not above zero.
+#[unsafe(no_mangle)]
+extern "C" fn see_light(observer: u32) -> u32 {
+    let board = board();
+    let seen = Xyz::from(eye(observer).sees(&board.curve));
+    let standard = if observer == 0 { seen } else { Xyz::from(CIE_1931.sees(&board.curve)) };
+    let Some(relative) = seen.with_y(100.0).filter(|_| standard.y > 0.0) else { return 1 };
+    let out = &mut board.out;
+    put(out, at::XYZ, relative.to_array());
+    put(out, at::ABSOLUTE, seen.to_array().map(|value| value * KM));
+    chromaticity(out, relative);
+    put(out, at::CCT, white(standard));
+    show(out, Rgb::from_xyz_y100(relative));
+    0
+}
+
+/// Into `out`: L*, a*, b* of X, Y, Z relative to a white. Gives 1 if that is none.
+#[unsafe(no_mangle)]
+extern "C" fn lab(x: f32, y: f32, z: f32, white_x: f32, white_y: f32, white_z: f32) -> u32 {
+    let Some(lab) = Xyz::new(x, y, z).lab(Xyz::new(white_x, white_y, white_z)) else { return 1 };
+    put(&mut board().out, 0, [lab.l, lab.a, lab.b]);
+    0
+}
+
+#[cfg_attr(feature = "light", inline(never))]
+pub fn chromaticity(out: &mut Out, xyz: Xyz) {
+    let nan = f32::NAN;
+    let Xy { x, y } = xyz.xy().unwrap_or(Xy { x: nan, y: nan });
+    let uv = xyz.uv1960().unwrap_or(Uv1960 { u: nan, v: nan });
+    let uv1976 = xyz.uv1976().unwrap_or(Uv1976 { u: nan, v: nan });
+    put(out, at::CHROMATICITY, [x, y, uv.u, uv.v, uv1976.u, uv1976.v]);
+}
+
+/// CCT, Duv and 0; or, with no such numbers, 1 too cold, 2 too hot, 3 off the locus, 4 no chromaticity.
+fn white(xyz: Xyz) -> [f32; 3] {
+    let why = match xyz.uv1960().map(Uv1960::cct) {
+        Some(Cct::Near { cct_k, duv }) => return [cct_k, duv, 0.0],
+        Some(Cct::TooCold) => 1.0,
+        Some(Cct::TooHot) => 2.0,
+        Some(_) => 3.0,
+        None => 4.0,
+    };
+    [f32::NAN, f32::NAN, why]
+}
+
+/// As a display shows it, clipped: encoded, in 8 bits, and whether it was in the gamut.
+#[cfg(feature = "light")]
+#[inline(never)]
+pub fn show(out: &mut Out, color: Rgb<Srgb>) {
+    let clipped = color.clip().rgb;
+    let code = clipped.encode();
+    // What rounding leaves beyond the gamut of a white is not worth a word.
+    let inside = color.to_array().iter().zip(clipped.to_array()).all(|(a, b)| (a - b).abs() <= 1e-5);
+    put(out, at::SRGB, code.to_array());
+    put(out, at::SRGB + 3, code.to_u8().map(f32::from));
+    put(out, at::SRGB + 6, [f32::from(u8::from(inside))]);
+}
+
+/// As a display shows it, clipped; linear, for JavaScript has a power function of its own.
+#[cfg(not(feature = "light"))]
+fn show(out: &mut Out, color: Rgb<Srgb>) {
+    put(out, at::SRGB, color.clip().rgb.to_array());
+}

@@ -1,0 +1,121 @@
+//! An RGB colour to the spectrum of a surface.
+
+use crate::board::board;
+#[cfg(feature = "paint")]
+use nanospectra::color::EncodedRgb;
+use nanospectra::color::Srgb;
+use nanospectra::light::D65;
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{Sigmoid, Viewing};
+use nanospectra::{Curve, Interpolation, Nodes, Outside};
+
+/// Every 10 nm in the small module, every 5 nm in the other.
+#[cfg(not(feature = "paint"))]
+mod bands {
+    pub type Grid = super::Nodes<400, 700>;
+    pub const N: usize = 31;
+}
+#[cfg(feature = "paint")]
+mod bands {
+    pub type Grid = super::Nodes<380, 780>;
+    pub const N: usize = 81;
+}
+pub use bands::{Grid, N};
+
+static VIEWING: Viewing<N, Grid> =
+    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+/// The small module starts from the small map.
+#[cfg(not(feature = "paint"))]
+type Start = nanospectra::upsample::Linear;
+#[cfg(feature = "paint")]
+type Start = nanospectra::upsample::Cubic;
+static SIGMOID: Sigmoid<N, Grid, Srgb, Start> = Sigmoid::new(&VIEWING);
+
+/// The reflectance of a linear sRGB colour into `out`, one number a band. Gives 0, or 1 for a colour that no
+/// smooth spectrum has; then nothing is written.
+#[cfg(not(feature = "paint"))]
+#[unsafe(no_mangle)]
+extern "C" fn upsample(r: f32, g: f32, b: f32) -> u32 {
+    let Some(solved) = SIGMOID.solve(nanospectra::color::Rgb::new(r, g, b)) else { return 1 };
+    if let Some(out) = board().out.first_chunk_mut() {
+        *out = *solved.on_grid::<N, Grid>().values();
+    }
+    0
+}
+
+#[cfg(feature = "paint")]
+mod methods {
+    use super::*;
+    use crate::display::displayed;
+    use crate::fixed::Fixed;
+    use nanospectra::color::{Lab, Xyz};
+    use nanospectra::upsample::{Basis, Smits, Status};
+    use nanospectra::{Factor, Observer, Reflectance};
+
+    static BASIS: Basis<N, Grid> = Basis::new(&VIEWING);
+
+    /// The reflectance that was made last.
+    static PAINT: Fixed<Reflectance<N, Grid>> = Fixed::new(Reflectance::flat(0.0));
+
+    /// The reflectance of an encoded sRGB colour by method 0 (sigmoid), 1 (basis) or 2 (Smits), a colour out
+    /// of reach desaturated (1) or met as near as can be. Into `out`: 81 numbers, the encoded RGB that they
+    /// have, CIEDE2000 between the two, and of the way from grey what a desaturated colour kept. Gives 0
+    /// exact, 1 unreachable, 2 desaturated, 3 not within 0..=1, 4 approximate, 5 not finite.
+    #[unsafe(no_mangle)]
+    extern "C" fn upsample(r: f32, g: f32, b: f32, method: u32, desaturate: u32) -> u32 {
+        let rgb = EncodedRgb::<Srgb>::new(r, g, b).decode();
+        let (mut kept, mut status) = (f32::NAN, 4);
+        let spectrum = match method {
+            0 => {
+                let solved =
+                    if desaturate == 0 { SIGMOID.reflectance(rgb) } else { SIGMOID.desaturated(rgb) };
+                status = match solved.status {
+                    Status::Exact => 0,
+                    Status::Desaturated { kept: share, .. } => {
+                        kept = share;
+                        2
+                    }
+                    Status::NotFinite => 5,
+                    _ => 1,
+                };
+                solved.spectrum.on_grid()
+            }
+            1 => {
+                let spectrum = BASIS.reflectance(rgb);
+                let possible = spectrum.values().iter().all(|share| (0.0..=1.0).contains(share));
+                status = if possible { 0 } else { 3 };
+                spectrum
+            }
+            // (Made anew: from 70 numbers, where all of its curves are 567.)
+            _ => Smits::<N, Grid>::new().reflectance(rgb),
+        };
+        let there = VIEWING.rgb(&spectrum).encode().to_array();
+        let rest = there.into_iter().chain([VIEWING.delta_e(rgb, &spectrum), kept]);
+        for (slot, value) in board().out.iter_mut().zip(spectrum.values().iter().copied().chain(rest)) {
+            *slot = value;
+        }
+        *PAINT.get() = spectrum;
+        status
+    }
+
+    /// That reflectance under the light in `light`. Into `out`: X, Y, Z (Y = 100 for white), L*, a*, b*,
+    /// 8-bit sRGB adapted to D65. Gives 0, or 1 for a light that is dark.
+    #[unsafe(no_mangle)]
+    extern "C" fn paint_under() -> u32 {
+        let board = board();
+        let eye: Observer<3, N, Factor, Grid> =
+            CIE_1931.under(&board.light).fold(Curve::Step).with_white_y(1.0);
+        let white = Xyz::from(eye.row_sums().map(|sum| sum as f32));
+        if white.with_y(1.0).is_none() {
+            return 1;
+        }
+        let seen = Xyz::from(eye.sees(&*PAINT.get()));
+        let lab = seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN));
+        let (_, code) = displayed(seen, white);
+        let values = [seen.scaled(100.0).to_array(), [lab.l, lab.a, lab.b], code];
+        for (slot, value) in board.out.iter_mut().zip(values.into_iter().flatten()) {
+            *slot = value;
+        }
+        0
+    }
+}

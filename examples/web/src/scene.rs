@@ -1,0 +1,311 @@
+//! Light through what it meets: the colour, and what each part costs.
+
+use crate::board::{Board, board, code, given, put};
+use crate::display::displayed;
+use crate::fixed::Fixed;
+use nanospectra::color::{Lab, Xy, Xyz};
+use nanospectra::math::Portable;
+use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polariser, Retarder, ThinFilm};
+use nanospectra::observer::{CIE_1931, CIE_1964};
+use nanospectra::path::{Part, Price, Scene};
+use nanospectra::radiometry::{Exitance, Irradiance};
+use nanospectra::{Curve, Light, Nodes, Observer, Outside, Power, Reflectance, Spectrum};
+
+/// Every 5 nm.
+type Grid = Nodes<380, 780>;
+const N: usize = 81;
+/// The most parts that a scene may have.
+const PARTS: usize = 16;
+
+/// CIE 1931 and CIE 1964.
+pub static EYES: [Observer<3, N, Power, Grid>; 2] =
+    [CIE_1931.fold(Curve::Spline), CIE_1964.fold(Curve::Spline)];
+
+/// V(lambda), which is y-bar of CIE 1931.
+fn photopic() -> Observer<1, N, Power, Grid> {
+    let [eye, _] = &EYES;
+    let [_, y, _] = eye.weights();
+    Observer::from_weights([*y])
+}
+
+/// A part by itself.
+enum What {
+    Nothing,
+    /// A factor, matt or clear, and what is there without its effect.
+    Plain {
+        factors: Reflectance<N, Grid>,
+        matt: bool,
+    },
+    Dye(Dye<N, Grid>),
+    Mirror(Mirror<N, Grid>),
+    Polariser(Polariser<N, Grid>),
+    Retarder(Retarder<N, Grid>),
+}
+
+static CLEAR: Reflectance<N, Grid> = Reflectance::flat(1.0);
+
+impl What {
+    fn part(&self) -> Part<'_, N, Grid> {
+        match self {
+            What::Nothing => Part::Filter(&CLEAR),
+            What::Plain { factors, matt: true } => Part::Surface(factors),
+            What::Plain { factors, matt: false } => Part::Filter(factors),
+            What::Dye(dye) => dye.into(),
+            What::Mirror(mirror) => mirror.into(),
+            What::Polariser(polariser) => polariser.into(),
+            What::Retarder(retarder) => retarder.into(),
+        }
+    }
+}
+
+/// The parts in the order in which light meets them, and for a plain one what stands there without it.
+struct Parts {
+    parts: [What; PARTS],
+    without: [Reflectance<N, Grid>; PARTS],
+    count: usize,
+}
+
+static SCENE: Fixed<Parts> = Fixed::new(Parts {
+    parts: [const { What::Nothing }; PARTS],
+    without: [Spectrum::flat(0.0); PARTS],
+    count: 0,
+});
+
+/// The next part. Gives 0, or 7 if there is no room.
+fn add(what: What, without: Reflectance<N, Grid>) -> u32 {
+    let Parts { parts, without: plain, count } = SCENE.get();
+    let (Some(part), Some(plain)) = (parts.get_mut(*count), plain.get_mut(*count)) else { return 7 };
+    (*part, *plain) = (what, without);
+    *count += 1;
+    0
+}
+
+fn factors(samples: &[(f32, f32)]) -> Result<Reflectance<N, Grid>, u32> {
+    Spectrum::from_samples(samples, Outside::Hold).map_err(code)
+}
+
+/// An empty scene.
+#[unsafe(no_mangle)]
+extern "C" fn scene_clear() {
+    SCENE.get().count = 0;
+}
+
+/// A filter, or with `matt` a surface, of the samples. Gives 0 or an error's code, as all of these.
+#[unsafe(no_mangle)]
+extern "C" fn scene_factors(count: u32, matt: u32) -> u32 {
+    match factors(given(&board().samples, count)) {
+        Ok(factors) => add(What::Plain { factors, matt: matt != 0 }, CLEAR),
+        Err(code) => code,
+    }
+}
+
+/// A filter of absorbances for each cm, or with `matt` a surface behind such a layer. Gives 6 for what is none.
+#[unsafe(no_mangle)]
+extern "C" fn scene_absorber(count: u32, path_m: f32, matt: u32) -> u32 {
+    let absorbance = match factors(given(&board().samples, count)) {
+        Ok(absorbance) => absorbance,
+        Err(code) => return code,
+    };
+    match Absorber::<N, Grid>::from_molar(*absorbance.values(), 1.0) {
+        Ok(glass) => add(What::Plain { factors: glass.transmittance(path_m), matt: matt != 0 }, CLEAR),
+        Err(_) => 6,
+    }
+}
+
+/// A dye: samples of reflectance, absorption and emission one after the other, so many of each. What is wrong
+/// with the dye is 8 more than a kind, and `out` holds the bins.
+#[unsafe(no_mangle)]
+extern "C" fn scene_dye(reflectance: u32, absorption: u32, emission: u32, quantum_yield: f32) -> u32 {
+    let Board { samples, out, .. } = board();
+    let (first, rest) = samples.split_at((reflectance as usize).min(samples.len()));
+    let (second, rest) = rest.split_at((absorption as usize).min(rest.len()));
+    let third = rest.get(..emission as usize).unwrap_or(rest);
+    let (reflects, absorbs) = match (factors(first), factors(second)) {
+        (Ok(reflects), Ok(absorbs)) => (reflects, absorbs),
+        (Err(code), _) | (_, Err(code)) => return code,
+    };
+    let emits: Light<N, Grid> = match Spectrum::from_samples(third, Outside::Zero) {
+        Ok(emits) => emits,
+        Err(error) => return code(error),
+    };
+    match Dye::new(&reflects, &absorbs, &emits, quantum_yield) {
+        Ok(dye) => add(What::Dye(dye), CLEAR),
+        Err(error) => {
+            let (kind, bins) = match error {
+                FluorescenceError::OutOfRange { bin } => (0, [bin, 0]),
+                FluorescenceError::AntiStokes { from, to } => (1, [from, to]),
+                FluorescenceError::QuantumYield => (2, [0, 0]),
+                FluorescenceError::NoEmission => (3, [0, 0]),
+                FluorescenceError::Energy { bin } => (4, [bin, 0]),
+                _ => (5, [0, 0]),
+            };
+            out[..2].copy_from_slice(&bins.map(|bin| bin as f32));
+            // (Above any error of samples: those count to 8 * 4096.)
+            (1 << 16) + kind
+        }
+    }
+}
+
+/// A thin film, reflecting or transmitting, met at an angle of this cosine. Without interference it is a plate.
+#[unsafe(no_mangle)]
+extern "C" fn scene_film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmitted: u32) -> u32 {
+    let share = |thickness_nm| {
+        // One function for both, as large as it is.
+        let [s, p] =
+            ThinFilm::new([before, n, behind], thickness_nm).bins_with::<Portable, N, Grid>(cos, |shares| {
+                if transmitted == 0 { shares.reflected } else { shares.transmitted }
+            });
+        (s + p) * 0.5
+    };
+    add(What::Plain { factors: share(nm), matt: false }, share(f32::INFINITY))
+}
+
+/// A mirror of index n + ik met at an angle of this cosine.
+#[unsafe(no_mangle)]
+extern "C" fn scene_mirror(n: f32, k: f32, cos: f32, axis_turns: f32) -> u32 {
+    add(What::Mirror(Mirror::conductor(&Spectrum::flat(n), &Spectrum::flat(k), cos, axis_turns)), CLEAR)
+}
+
+/// A polariser with these transmittances along its axis and across.
+#[unsafe(no_mangle)]
+extern "C" fn scene_polariser(along: f32, across: f32, axis_turns: f32) -> u32 {
+    let [along, across] = [along, across].map(Reflectance::flat);
+    add(What::Polariser(Polariser::new(&along, &across, axis_turns)), CLEAR)
+}
+
+/// A wave plate of this path difference in nm.
+#[unsafe(no_mangle)]
+extern "C" fn scene_retarder(path_difference_nm: f32, axis_turns: f32) -> u32 {
+    add(What::Retarder(Retarder::of_path_difference(path_difference_nm, axis_turns)), CLEAR)
+}
+
+/// Where results stand in `out`.
+mod at {
+    /// 81 numbers each: the lamp, and what leaves.
+    pub const LIT: usize = 0;
+    pub const LEAVING: usize = 81;
+    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB and whether it was clipped; 8-bit sRGB of the lamp (and whether).
+    pub const LOOK: usize = 162;
+    /// Multiply-adds and bytes: walked, folded.
+    pub const PRICES: usize = 178;
+    /// lx, W/m2, lm/m2, W/m2, cd/m2, W/m2/sr.
+    pub const ABSOLUTE: usize = 182;
+    /// Of the parts that are on: CIEDE2000 to the whole scene, multiply-adds.
+    pub const SHOWN: usize = 188;
+    /// Within the budget: CIEDE2000, multiply-adds, 8-bit sRGB, a bit for each part that is left out.
+    pub const BUDGET: usize = 190;
+    /// For each part multiply-adds, bytes, CIEDE2000 without it, 8-bit sRGB without it.
+    pub const BILL: usize = 196;
+}
+
+fn price(price: Price) -> [f32; 2] {
+    [price.multiply_adds as f32, price.bytes as f32]
+}
+
+/// An eye and the white it is adapted to.
+struct Viewing {
+    eye: &'static Observer<3, N, Power, Grid>,
+    white: Xyz,
+    lamp: Light<N, Grid>,
+}
+
+impl Viewing {
+    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB, clipped.
+    fn look(&self, light: &Light<N, Grid>) -> [f32; 12] {
+        let [seen, white] =
+            [Xyz::from(self.eye.sees(light)), self.white].map(|xyz| xyz.scaled(1.0 / self.white.y));
+        let (rgb, [r, g, b]) = displayed(seen, white);
+        // A step of an 8-bit code is 3e-4 or more.
+        let clipped = rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part));
+        let nan = f32::NAN;
+        let lab = seen.lab(white).unwrap_or(Lab::new(nan, nan, nan));
+        let xy = seen.xy().unwrap_or(Xy::new(nan, nan));
+        let Xyz { x, y, z } = seen.scaled(100.0);
+        [x, y, z, xy.x, xy.y, lab.l, lab.a, lab.b, r, g, b, f32::from(u8::from(clipped))]
+    }
+
+    fn srgb(&self, scene: &Scene<'_, N, PARTS, Grid>) -> [f32; 3] {
+        let look = self.look(&scene.leaving_polarised(&self.lamp));
+        [look[8], look[9], look[10]]
+    }
+}
+
+/// The scene with these parts without their effects (a bit each).
+fn scene(Parts { parts, without, count }: &Parts, off: u32) -> Scene<'_, N, PARTS, Grid> {
+    let mut scene = Scene::new();
+    for (k, (part, without)) in parts.iter().zip(without).take(*count).enumerate() {
+        let is_off = off >> k & 1 == 1;
+        let part = match part {
+            What::Plain { matt: true, .. } if is_off => Part::Surface(without),
+            What::Plain { .. } if is_off => Part::Filter(without),
+            part => part.part(),
+        };
+        // There is room: `add` counted.
+        let _ = scene.push(part);
+    }
+    (0..*count).filter(|k| off >> k & 1 == 1).fold(scene, Scene::leaving_out)
+}
+
+/// The scene under the lamp in `curve`, brought to `illuminance_lx` if that is above 0, seen by eye 0 (CIE
+/// 1931) or 1 (CIE 1964). `off` has a bit for each part whose effect is switched off; effects are left out
+/// within `budget` if it is not negative. Gives 0, or 1 for a lamp that is dark.
+#[unsafe(no_mangle)]
+extern "C" fn scene_answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u32 {
+    let board = board();
+    let parts = &*SCENE.get();
+    let lit: Light<N, Grid> = board.curve.resample(Outside::Zero);
+    let bare = Irradiance::new(lit).luminous_by(&photopic()).value().0;
+    let lit = if illuminance_lx > 0.0 { lit * (illuminance_lx / bare) } else { lit };
+    let eye = &EYES[usize::from(eye == 1)];
+    let white = Xyz::from(eye.sees(&lit));
+    if !(bare > 0.0 && (1e-30..=1e30).contains(&white.y)) {
+        return 1;
+    }
+    let viewing = Viewing { eye, white, lamp: lit };
+    let whole = scene(parts, 0);
+    let shown = scene(parts, off);
+    let leaving = shown.leaving_polarised(&lit);
+    let out = &mut board.out;
+    put(out, at::LIT, *lit.values());
+    put(out, at::LEAVING, *leaving.values());
+    put(out, at::LOOK, viewing.look(&leaving));
+    let [.., r, g, b, clipped] = viewing.look(&lit);
+    put(out, at::LOOK + 12, [r, g, b, clipped]);
+
+    // The three rows of the eye.
+    let reading = Price { multiply_adds: 3 * N, bytes: 12 * N, ..Price::NONE };
+    put(out, at::PRICES, price(whole.price().plus(Price::light(N)).plus(reading)));
+    put(out, at::PRICES + 2, price(whole.folded_price(3).plus(Price::light(N))));
+    put(out, at::ABSOLUTE, absolute(lit, leaving));
+    let [cost, _] = price(shown.price().plus(reading));
+    put(out, at::SHOWN, [whole.difference(&shown, eye, &lit), cost]);
+    if budget >= 0.0 {
+        let found = whole.within_budget(eye, &lit, budget);
+        let [cost, _] = price(found.scene.price().plus(reading));
+        let [r, g, b] = viewing.srgb(&found.scene);
+        let left_out = found.scene.left_out().fold(0, |bits, k| bits | 1 << k);
+        put(out, at::BUDGET, [found.delta_e, cost, r, g, b, left_out as f32]);
+    }
+    for (k, line) in whole.bill().enumerate() {
+        let without = scene(parts, 1 << k);
+        let [multiply_adds, bytes] = price(line.price);
+        let [r, g, b] = viewing.srgb(&without);
+        let delta_e = whole.difference(&without, eye, &lit);
+        put(out, at::BILL + 6 * k, [multiply_adds, bytes, delta_e, r, g, b]);
+    }
+    0
+}
+
+/// Illuminance and irradiance in front, exitance behind, and luminance and radiance if that is matt.
+fn absolute(lit: Light<N, Grid>, leaving: Light<N, Grid>) -> [f32; 6] {
+    let (arrives, leaves) = (Irradiance::new(lit), Exitance::new(leaving));
+    let radiance = leaves.lambertian();
+    [
+        arrives.luminous_by(&photopic()).value().0,
+        arrives.radiant().value().0,
+        leaves.luminous_by(&photopic()).value().0,
+        leaves.radiant().value().0,
+        radiance.luminous_by(&photopic()).value().0,
+        radiance.radiant().value().0,
+    ]
+}

@@ -1,0 +1,342 @@
+// The page in a headless Chromium: what it shows is what the command line says, and nothing goes wrong on the way.
+import assert from 'node:assert/strict';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test, { after, before } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { brotliCompressSync } from 'node:zlib';
+import { serve } from '../serve.mjs';
+import { allowed } from './allowed.mjs';
+import { chromium } from './browser.mjs';
+import * as host from './host.mjs';
+
+const folder = fileURLToPath(new URL('../dist/page', import.meta.url));
+const pictures = fileURLToPath(new URL('../dist/pictures', import.meta.url));
+const bundled = fileURLToPath(new URL('../../colorimeter/data/l41_white_led.csv', import.meta.url));
+const KEYS = {
+  XYZ: 'XYZ',
+  xy: 'xy',
+  cct_k: 'cct_k',
+  duv: 'duv',
+  cri_ra: 'cri_ra',
+  tm30_rf: 'tm30_rf',
+  tm30_rg: 'tm30_rg',
+  hex: 'hex',
+  purity: 'purity',
+  dominant_wavelength_nm: 'dominant_wavelength_nm',
+  ler_lm_per_w: 'ler_lm_per_w',
+  melanopic_edi_ratio: 'melanopic_edi_ratio',
+  uv1960: 'uv1960',
+  uv1976: 'uv1976',
+};
+
+let browser, page, server, root, scratch;
+
+before(async () => {
+  host.build();
+  server = await serve(folder);
+  root = `http://localhost:${server.address().port}/`;
+  browser = await chromium();
+  page = await browser.page();
+  await page.size(1280, 900);
+  scratch = mkdtempSync(join(tmpdir(), 'nanospectra-page-'));
+  mkdirSync(pictures, { recursive: true });
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+  if (scratch) rmSync(scratch, { recursive: true, force: true });
+});
+
+const shown = () =>
+  page.value(
+    "Object.fromEntries([...document.querySelectorAll('#numbers [data-key]')].map((b) => [b.dataset.key, b.textContent]))",
+  );
+const text = (value) => (Array.isArray(value) ? value.join(', ') : String(value));
+
+/** Every number on the page is the command line's. */
+async function same(expected) {
+  const numbers = await shown();
+  for (const key of Object.keys(KEYS)) {
+    if (expected[key] === null) assert.equal(numbers[key], undefined, key);
+    else assert.equal(numbers[key], text(expected[key]), key);
+  }
+}
+
+/** Drops a file on the page, as a reader drags one there. */
+const drop = (name, content) =>
+  page.value(`(() => {
+  const data = new DataTransfer();
+  data.items.add(new File([${JSON.stringify(content)}], ${JSON.stringify(name)}));
+  for (const type of ['dragover', 'drop']) document.querySelector('#drop').dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: data }));
+})()`);
+
+/** @param {string} name @param {(t: import('node:test').TestContext) => Promise<void>} work */
+const check = (name, work) =>
+  test(name, async (t) => {
+    page.errors.length = 0;
+    await work(t);
+    assert.deepEqual(page.errors, [], 'errors in the console');
+  });
+
+check('a file that is opened shows the numbers of colorimeter --json', async () => {
+  await page.open(root);
+  await page.choose('#file', [bundled]);
+  await page.until("document.querySelector('#numbers [data-key=cct_k]')?.textContent.startsWith('4102.8')");
+  const [expected] = host.json('colorimeter', [bundled]);
+  await same(expected);
+  // The bars have the colours of the samples: R9 is a strong red, R11 a green, R12 a blue.
+  const bars = await page.value("[...document.querySelectorAll('#plot-cri rect[fill^=rgb]')].map((bar) => bar.getAttribute('fill'))");
+  const largest = (k) => ((rgb) => rgb.indexOf(Math.max(...rgb)))(bars[k - 1].match(/\d+/g).map(Number));
+  assert.deepEqual([9, 11, 12].map(largest), [0, 1, 2], `${bars}`);
+});
+
+check('so does one that is dropped, with several spectra, by every setting', async () => {
+  await page.open(root);
+  const content = 'nm,first,second\n380,0.1,0.5\n450,1.25,0.6\n555,0.3,0.7\n620,0.9,0.8\n780,0.05,0.9\n';
+  await drop('two.csv', content);
+  await page.until("document.querySelector('#column')");
+  const [first, second] = host.json('colorimeter', ['-'], content);
+  await same(first);
+  await page.select('#column', '1');
+  await same(second);
+  await page.select('#observer', '1964');
+  await same(host.json('colorimeter', ['--observer', '1964', '-'], content)[1]);
+  await page.select('#observer', '1931');
+  await page.select('#unit', 'absolute');
+  const [, absolute] = host.json('colorimeter', ['--unit', 'absolute', '-'], content);
+  await same(absolute);
+  const numbers = await shown();
+  assert.equal(numbers.lux, text(absolute.lux));
+  assert.equal(numbers.ppfd, text(absolute.ppfd));
+  await page.select('#unit', 'relative');
+  await page.select('#kind', 'surface');
+  await page.select('#column', '1');
+  await page.select('#under', 'FL11');
+  const [, surface] = host.json(
+    'colorimeter',
+    ['--reflectance', '--light', 'FL11', '-'],
+    content.replace('1.25', '0.25'),
+  );
+  await same(surface);
+  assert.equal((await shown()).lab, text(surface.lab));
+});
+
+check('what is wrong with a file is said in the words of the command line', async () => {
+  await page.open(root);
+  for (const content of ['nm,a\n500,1\n490,2\n', '500,1\n505,NaN\n', '', 'nm,a\n500,\n']) {
+    const { stderr } = host.run('colorimeter', ['-'], content);
+    await drop('stdin', content);
+    await page.until(`document.querySelector('#failure').textContent === ${JSON.stringify(stderr.trim())}`);
+  }
+  await page.select('#lamp', 'A');
+  await page.until("document.querySelector('#failure').textContent === ''");
+});
+
+check('a bundled lamp, a pasted text and a link give the same', async () => {
+  await page.open(`${root}#lamp=FL11`);
+  const before = await shown();
+  assert.match(before.cct_k, /^4000\.7/);
+  await page.open(root);
+  await page.value(
+    "document.querySelector('#paste').value = 'nm;a\\n400;1\\n700;2\\n'; document.querySelector('#measure').click()",
+  );
+  await page.until("document.querySelector('#failure').textContent === '' && location.hash.includes('data')");
+  const pasted = await shown(),
+    link = await page.value('location.href');
+  await same(host.json('colorimeter', ['-'], 'nm;a\n400;1\n700;2\n')[0]);
+  await page.open(link);
+  assert.deepEqual(await shown(), pasted);
+});
+
+check('a spectrum is drawn by pointer and by keyboard, and the link carries it', async () => {
+  await page.open(root);
+  await page.click('#draw');
+  await page.until("document.querySelector('#plot-spectrum').getAttribute('role') === 'slider'");
+  const before = await shown();
+  await page.drag('#plot-spectrum', [
+    [0.15, 0.8],
+    [0.3, 0.3],
+    [0.5, 0.75],
+    [0.9, 0.4],
+  ]);
+  const drawn = await shown();
+  assert.notEqual(drawn.cct_k ?? drawn.xy, before.cct_k ?? before.xy);
+  await page.value("document.querySelector('#plot-spectrum').focus()");
+  const said = () => page.value("document.querySelector('#plot-spectrum').getAttribute('aria-valuetext')");
+  const first = await said();
+  await page.press('ArrowLeft', 3);
+  await page.press('ArrowUp', 5);
+  assert.notEqual(await said(), first);
+  const final = await shown();
+  assert.notEqual(final.xy, drawn.xy);
+  const values = (await page.value("new URLSearchParams(location.hash.slice(1)).get('drawn')")).split(',');
+  const content = values.map((value, k) => `${380 + 10 * k},${value / 100}`).join('\n');
+  await same(host.json('colorimeter', ['-'], content)[0]);
+});
+
+check('paint shows three methods, their round trips and lamps', async () => {
+  await page.open(`${root}#tab=paint&rgb=%230000ff`);
+  const rows = () =>
+    page.value("[...document.querySelectorAll('[data-delta]')].map((cell) => Number(cell.textContent))");
+  const [sigmoid, basis, smits] = await rows();
+  assert.ok(sigmoid < 0.001 && basis < 0.001 && smits > 0.1, `${[sigmoid, basis, smits]}`);
+  await page.value(
+    "(() => { const c = document.querySelector('#color'); c.value = '#20a040'; c.dispatchEvent(new Event('input')); })()",
+  );
+  assert.match(await page.value('location.hash'), /20a040/);
+  await page.value("document.querySelector('input[value=smits]').click()");
+  assert.match(await page.value("document.querySelector('#paint-status').textContent"), /^smits: comes near/);
+});
+
+check('switching an effect off costs what the bill of the command line says', async () => {
+  await page.open(`${root}#tab=scene&scene=vest`);
+  const [{ bill, XYZ }] = host.json('scene', ['vest']);
+  assert.equal(
+    await page.value(
+      "document.querySelector('#scene table:last-of-type td')?.textContent && [...document.querySelectorAll('#scene th')].find((th) => th.textContent === 'X, Y, Z').nextSibling.textContent",
+    ),
+    XYZ.join(', '),
+  );
+  await page.click('#part-0');
+  assert.match(
+    await page.value("document.querySelector('#verdict').textContent"),
+    new RegExp(`^Leaving this out costs ${bill[0].without_delta_e2000.toFixed(2)} CIEDE2000`),
+  );
+  assert.match(await page.value('location.hash'), /off=0/);
+  for (const name of ['asphalt', 'paper', 'soap', 'window', 'wine']) {
+    await page.select('#scene-name', name);
+    const [expected] = host.json('scene', [name]);
+    const cells = await page.value(
+      "[...document.querySelectorAll('#bill tr')].map((row) => row.cells[1].textContent)",
+    );
+    assert.deepEqual(
+      cells,
+      expected.bill.map((line) => line.without_delta_e2000.toFixed(2)),
+      name,
+    );
+  }
+});
+
+check('more bands cost less colour and more instructions, and the fold costs least', async () => {
+  await page.open(`${root}#tab=cost`);
+  const mean = () => page.value("Number(document.querySelector('#cost dd').textContent)");
+  const counted = () =>
+    page.value("[...document.querySelectorAll('#cost tbody td')].map((cell) => Number(cell.textContent.replace(',', '')))");
+  const bands = (k) =>
+    page.value(
+      `(() => { const s = document.querySelector('#bands'); s.value = ${k}; s.dispatchEvent(new Event('input')); })()`,
+    );
+  const record = readFileSync(new URL('../../../tests/data/instructions.txt', import.meta.url), 'utf8');
+  const recorded = (what) =>
+    Number(new RegExp(`^thumbv7em-none-eabihf release ${what} (\\d+) instructions$`, 'm').exec(record)[1]);
+  const at16 = await mean();
+  assert.ok(at16 > 0.01 && at16 < 0.1, `${at16}`);
+  assert.ok((await counted()).includes(recorded('xyz-16')));
+  await bands(9);
+  assert.ok((await mean()) < 0.01);
+  assert.ok((await counted()).includes(recorded('xyz-81')));
+  await bands(2);
+  assert.equal(await mean(), at16);
+  await page.value("document.querySelectorAll('input[name=scheme]')[3].click()");
+  assert.ok((await mean()) > 3 * at16);
+  assert.ok((await counted()).includes(recorded('path-surface-16')));
+  await page.select('#cost-lamp', 'hid');
+  assert.ok((await mean()) > 10 * at16);
+});
+
+check('tabs and theme work by keyboard', async () => {
+  await page.open(root);
+  await page.value("document.querySelector('#tab-light').focus()");
+  await page.press('ArrowRight', 2);
+  await page.until("document.querySelector('#scene').hidden === false && document.querySelector('#bill tr')");
+  assert.equal(await page.value('document.activeElement.id'), 'tab-scene');
+  const theme = () => page.value('document.documentElement.dataset.theme');
+  const was = await theme();
+  await page.value("document.querySelector('#theme').click()");
+  assert.notEqual(await theme(), was);
+});
+
+check('whatever can be used has a name, every plot a text, and no identifier is there twice', async () => {
+  for (const tab of ['light', 'paint', 'scene', 'cost']) {
+    await page.open(`${root}#tab=${tab}`);
+    const faults = await page.value(`(() => {
+      const faults = [];
+      const named = (e) => e.getAttribute('aria-label') || e.getAttribute('aria-labelledby') || e.labels?.length || e.textContent.trim() || e.title;
+      for (const e of document.querySelectorAll('main button, main select, main input:not([hidden]), main textarea')) if (!named(e)) faults.push(e.outerHTML.slice(0, 80));
+      for (const svg of document.querySelectorAll('main section:not([hidden]) figure:not([hidden]) svg')) if ((svg.querySelector('desc')?.textContent ?? '').length < 10) faults.push(svg.id);
+      const ids = [...document.querySelectorAll('[id]')].map((e) => e.id);
+      return [...faults, ...ids.filter((id, k) => ids.indexOf(id) !== k)];
+    })()`);
+    assert.deepEqual(faults, [], tab);
+  }
+});
+
+check('plots and data can be saved', async () => {
+  await page.open(root);
+  await page.send('Page.setDownloadBehavior', { behavior: 'allow', downloadPath: scratch });
+  for (const label of [
+    'Save Spectrum as SVG',
+    'Save Chromaticity, CIE 1931 as PNG',
+    'Save TM-30 colour vectors as SVG',
+  ]) {
+    await page.value(`document.querySelector('[aria-label="${label}"]').click()`);
+  }
+  await page.value("document.querySelector('#csv').click(); document.querySelector('#json').click()");
+  const wait = async (name) => {
+    for (let k = 0; k < 100; k++) {
+      try {
+        const bytes = readFileSync(join(scratch, name));
+        if (bytes.length) return bytes;
+      } catch {
+        /* not yet */
+      }
+      await new Promise((resolve) => {
+        setTimeout(resolve, 50);
+      });
+    }
+    throw new Error(`${name} was not saved`);
+  };
+  assert.match(String(await wait('spectrum.svg')), /^<svg .*<style>/);
+  assert.match(String(await wait('tm30.svg')), /^<svg /);
+  assert.equal((await wait('chromaticity-1931.png')).subarray(1, 4).toString(), 'PNG');
+  const csv = String(await wait('spectrum.csv')),
+    [expected] = host.json('colorimeter', ['-'], csv);
+  assert.equal(JSON.parse(await wait('spectrum.json')).cct_k, expected.cct_k);
+});
+
+check('to measure a spectrum a browser fetches less than 60 KB, compressed, and the bundled lamps', async (t) => {
+  if (existsSync(join(folder, 'light.js'))) return t.skip('the page is not packed: npm ci brings what packs it');
+  page.requests.length = 0;
+  await page.open(`${root}?fresh`);
+  const paths = [...new Set(page.requests)]
+    .filter((url) => url.startsWith(root))
+    .map((url) => new URL(url).pathname.replace(/^\/$/, '/index.html'));
+  const size = (path) => brotliCompressSync(readFileSync(join(folder, path))).length;
+  const total = paths.filter((path) => !path.endsWith('lamps.json')).reduce((sum, path) => sum + size(path), 0);
+  assert.ok(paths.some((path) => path.includes('light.simd.wasm')), `${paths}`);
+  assert.ok(!paths.some((path) => /paint|scene|cost/.test(path)), `${paths}`);
+  allowed('first-tab.br', total);
+});
+
+check('nothing is asked of any other place, and it fits a phone', async () => {
+  page.requests.length = 0;
+  for (const [width, height, mobile] of [
+    [390, 844, true],
+    [1280, 900, false],
+  ]) {
+    await page.size(width, height, mobile);
+    for (const tab of ['light', 'paint', 'scene', 'cost']) {
+      await page.open(`${root}#tab=${tab}`);
+      assert.ok(
+        await page.value('document.documentElement.scrollWidth <= document.documentElement.clientWidth'),
+        `${tab} is wider than ${width}`,
+      );
+      writeFileSync(join(pictures, `${tab}-${width}.png`), await page.screenshot(true));
+    }
+  }
+  const elsewhere = page.requests.filter((url) => !url.startsWith(root) && !/^(data|blob|about):/.test(url));
+  assert.deepEqual(elsewhere, []);
+});

@@ -1,0 +1,33 @@
+// How the package is used from TypeScript: compiled, never run.
+import { load, type Reading, type SceneAnswer, type Upsampled } from '../dist/nanospectra/nanospectra.js';
+import { parse } from '../dist/nanospectra/csv.js';
+
+const light = await load();
+await light.loadLamps();
+const [source] = parse('nm,lamp\n380,0.1\n780,0.2\n', 'lamp.csv');
+const reading: Reading = light.spectrum(source!, { observer: '2015-10', unit: 'absolute' });
+const kelvin: number | null = reading.cct_k;
+const batch = light.batch(318);
+batch.lights.set(reading.curve);
+batch.measure();
+
+const paint = await load({ module: 'paint' });
+paint.lamps = light.lamps;
+const red: Upsampled = paint.upsample([0.8, 0.2, 0.1], { lights: ['A', light.blackBody(3000)] });
+
+const scenes = await load({ module: 'scene', simd: false });
+const answer: SceneAnswer = scenes
+  .scene({ lamp: { blackbody_k: 2856 }, part: [{ filter: { flat: 0.5 } }] })
+  .answer({ off: [0], budget: 1 });
+
+const core = await load({ module: 'core' });
+const hex: string | null = core.spectrum([[400, 1], [700, 1]]).hex;
+
+// @ts-expect-error a core has no scenes
+core.scene({});
+// @ts-expect-error no such observer
+light.spectrum(source!, { observer: '1932' });
+// @ts-expect-error no such module
+await load({ module: 'full' });
+
+export { answer, hex, kelvin, red };

@@ -1,0 +1,177 @@
+// Builds the package and the page: node tools/build.mjs
+//
+// Each module is built plain and with simd128. The measured tables are taken out of its data and travel packed, in one
+// file for both builds; a section `places` of the module says where in memory they belong.
+import { execFileSync } from 'node:child_process';
+import { cpSync, existsSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { unpack } from '../package/tables.js';
+import { pack } from './pack.mjs';
+import { cie1931, light } from './tables.mjs';
+import { custom, dataSection, module, sections, segments } from './wasm.mjs';
+import { lamps } from './lamps.mjs';
+import { scenes } from './scenes.mjs';
+
+const here = (path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
+const target = process.env.CARGO_TARGET_DIR ?? here('target');
+
+/** Brings what the build needs and what makes its results smaller; without the latter they are served as they are. */
+function ready() {
+  const said = (command, args) => execFileSync(command, args, { cwd: here(''), encoding: 'utf8' });
+  if (!said('rustup', ['target', 'list', '--installed']).includes('wasm32-unknown-unknown'))
+    said('rustup', ['target', 'add', 'wasm32-unknown-unknown']);
+  if (existsSync(here('node_modules'))) return;
+  try {
+    said('npm', ['ci', '--silent']);
+  } catch (error) {
+    console.log(`npm ci did not work, so modules and scripts are larger than they need be: ${error.message}`);
+  }
+}
+
+/** The modules that are to be small, and the tables that each is loaded with. */
+const MODULES = { core: 'cie1931', light: 'light', paint: 'cie1931', scene: null };
+
+/** @param {string} feature @param {boolean} simd @returns {Uint8Array} */
+function compile(feature, simd) {
+  const directory = `${target}/${simd ? 'simd128' : 'plain'}`,
+    profile = ['bands', 'bench'].includes(feature) ? 'fast' : 'small';
+  const features = simd ? `${feature},simd` : feature;
+  // No path of this machine belongs into a module.
+  const flags = [`--remap-path-prefix=${here('../../')}=`, ...(simd ? ['-Ctarget-feature=+simd128'] : [])];
+  // What is called twice is there once: a tenth of the code.
+  if (feature in MODULES) flags.push('-Cllvm-args=-inline-threshold=10');
+  const env = { ...process.env, CARGO_TARGET_DIR: directory, CARGO_ENCODED_RUSTFLAGS: flags.join('\x1f') };
+  execFileSync(
+    'cargo',
+    ['build', '--quiet', '--profile', profile, '--no-default-features', '--features', features],
+    { cwd: here(''), stdio: 'inherit', env },
+  );
+  return readFileSync(`${directory}/wasm32-unknown-unknown/${profile}/nanospectra_web.wasm`);
+}
+
+/**
+ * Takes tables out of a module's data.
+ * @param {Uint8Array} wasm @param {Iterable<[number, Float32Array]>} tables and their numbers
+ * @returns {Uint8Array} the module, without what only debuggers read
+ */
+function without(wasm, tables) {
+  const parts = sections(wasm).filter(({ id }) => id !== 0);
+  const data = segments(parts.find(({ id }) => id === 11)?.body ?? [0]);
+  const places = [...tables].flatMap(([k, table]) => {
+    const bytes = Buffer.from(table.buffer, table.byteOffset, table.byteLength);
+    for (const segment of data) {
+      const at = Buffer.from(segment.bytes.buffer, segment.bytes.byteOffset, segment.bytes.length).indexOf(bytes);
+      if (at >= 0) {
+        segment.bytes.fill(0, at, at + bytes.length);
+        return [k, segment.address + at];
+      }
+    }
+    throw new Error(`table ${k} is not in the module's data: tools/tables.mjs and the crate disagree`);
+  });
+  const rest = parts.map((part) => (part.id === 11 ? dataSection(data) : part));
+  return module([...rest, custom('places', new Uint8Array(Uint32Array.from(places).buffer))]);
+}
+
+const OPTIMISER = here('node_modules/binaryen/bin/wasm-opt');
+
+/** What Binaryen makes of a module: a tenth less code; as it is if `npm ci` has not brought it. @param {Uint8Array} wasm */
+function smaller(wasm) {
+  if (!existsSync(OPTIMISER)) return wasm;
+  const enabled = ['simd', 'bulk-memory', 'sign-ext', 'mutable-globals', 'nontrapping-float-to-int'];
+  const options = ['-Oz', '--converge', ...enabled.map((feature) => `--enable-${feature}`)];
+  const [before, after] = [here('dist/before.wasm'), here('dist/after.wasm')];
+  writeFileSync(before, wasm);
+  execFileSync(process.execPath, [OPTIMISER, before, ...options, '-o', after], { stdio: 'inherit' });
+  const small = readFileSync(after);
+  rmSync(before);
+  rmSync(after);
+  return small;
+}
+
+/** Without comments that have lines of their own, and without indentation: what only people read. */
+const lean = (text) =>
+  text
+    .replace(/^\s*\/\*\*?[\s\S]*?\*\/\s*$/gm, '')
+    .replace(/^\s*\/\/.*$/gm, '')
+    .replace(/^\s+/gm, '');
+
+/** The page's scripts, one for each tab and what they share, and its style, packed; as they are if `npm ci` has not brought esbuild. */
+async function bundle() {
+  const esbuild = await import('esbuild').catch(() => null);
+  if (!esbuild) return;
+  const outputs = esbuild.buildSync({
+    entryPoints: ['app.js', 'style.css'].map((file) => here(`dist/page/${file}`)),
+    bundle: true,
+    splitting: true,
+    minify: true,
+    write: false,
+    format: 'esm',
+    target: 'es2022',
+    legalComments: 'none',
+    logLevel: 'error',
+    external: ['node:*'],
+    chunkNames: '[name]-[hash]',
+    outdir: here('dist/page'),
+  }).outputFiles;
+  for (const file of readdirSync(here('dist/page'), { recursive: true }))
+    if (file.endsWith('.js')) rmSync(here(`dist/page/${file}`));
+  for (const { path, contents } of outputs) writeFileSync(path, contents);
+}
+
+/** Instructions from N bands to X, Y, Z, from the record of tests/devices.sh: by target, whether folded, profile and N. */
+function instructions() {
+  const counts = {};
+  for (const line of readFileSync(here('../../tests/data/instructions.txt'), 'utf8').split('\n')) {
+    const found = /^(\S+) (\S+) (xyz|path-surface)-(\d+) (\d+) instructions$/.exec(line);
+    if (!found) continue;
+    const [, target, profile, what, bands, count] = found;
+    const kind = what === 'xyz' ? 'folded' : 'walked';
+    (((counts[target] ??= {})[kind] ??= {})[profile] ??= {})[bands] = Number(count);
+  }
+  return counts;
+}
+
+export async function build() {
+  ready();
+  rmSync(here('dist'), { recursive: true, force: true });
+  cpSync(here('page'), here('dist/page'), { recursive: true });
+  cpSync(here('package'), here('dist/nanospectra'), { recursive: true });
+  for (const licence of ['LICENSE-MIT', 'LICENSE-APACHE'])
+    cpSync(here(`../../${licence}`), here(`dist/nanospectra/${licence}`));
+  const sizes = {};
+  const save = (name, bytes) => {
+    writeFileSync(here(`dist/nanospectra/${name}`), bytes);
+    sizes[name] = bytes.length;
+  };
+  writeFileSync(here('dist/page/instructions.json'), JSON.stringify(instructions()));
+  writeFileSync(here('dist/page/scenes.json'), JSON.stringify(scenes()));
+  writeFileSync(here('dist/nanospectra/lamps.json'), JSON.stringify(lamps()));
+  const packed = Object.fromEntries(Object.entries({ cie1931, light }).map(([name, list]) => [name, pack(list)]));
+  for (const [name, bytes] of Object.entries(packed)) save(`${name}.tables`, bytes);
+  for (const [name, tables] of Object.entries(MODULES)) {
+    const taken = tables ? [...unpack(packed[tables]).entries()] : [];
+    for (const simd of [false, true])
+      save(`${name}${simd ? '.simd' : ''}.wasm`, smaller(without(compile(name, simd), taken)));
+  }
+  for (const simd of [false, true]) save(`bands${simd ? '.simd' : ''}.wasm`, without(compile('bands', simd), []));
+  cpSync(here('dist/nanospectra'), here('dist/page/nanospectra'), { recursive: true });
+  for (const file of readdirSync(here('dist/page'), { recursive: true })) {
+    const path = here(`dist/page/${file}`);
+    if (/\.(js|css|html)$/.test(file)) writeFileSync(path, lean(readFileSync(path, 'utf8')));
+    else if (/\.d\.ts$|README|LICENSE|package\.json|core\.(js|wasm|simd)|bands\./.test(file)) rmSync(path);
+  }
+  await bundle();
+  return sizes;
+}
+
+/** What test/ compares speeds and the page's folds with. */
+export function buildBench() {
+  for (const simd of [false, true])
+    writeFileSync(here(`dist/bench${simd ? '.simd' : ''}.wasm`), compile('bench', simd));
+  writeFileSync(here('dist/cost.wasm'), compile('cost', false));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  console.table(await build());
+  if (process.argv.includes('--bench')) buildBench();
+}

@@ -1,0 +1,15 @@
+// The scenes of examples/scene for the page.
+import { readdirSync, readFileSync } from 'node:fs';
+import { toml } from './toml.mjs';
+
+const folder = new URL('../../scene/data/', import.meta.url);
+
+/** @returns {Record<string, object>} by name */
+export function scenes() {
+  return Object.fromEntries(
+    readdirSync(folder)
+      .filter((file) => file.endsWith('.toml'))
+      .sort()
+      .map((file) => [file.replace('.toml', ''), toml(readFileSync(new URL(file, folder), 'utf8'))]),
+  );
+}

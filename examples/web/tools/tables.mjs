@@ -1,0 +1,77 @@
+// The published tables that the modules hold, as numbers for package/tables.js.
+import { readFileSync } from 'node:fs';
+import { RULES } from '../package/tables.js';
+
+const folder = new URL('../../../tables/', import.meta.url);
+
+/** @param {string} path @returns {{nm: number[], names: string[], columns: number[][]}} */
+export function read(path) {
+  const text = readFileSync(new URL(`${path}.csv`, folder), 'utf8');
+  const rows = text
+    .trim()
+    .split('\n')
+    .filter((line) => !line.startsWith('#'))
+    .map((line) => line.split(','));
+  const names = rows.shift().slice(1);
+  const cell = (text) => (Math.abs(Number(text)) < 1e-30 ? 0 : Number(text));
+  return {
+    nm: rows.map((row) => Number(row[0])),
+    names,
+    columns: names.map((_, k) => rows.map((row) => cell(row[k + 1]))),
+  };
+}
+
+/** A 1 nm table of an eye, with zeros up to 360..830 nm. */
+function eye(path) {
+  const { nm, columns } = read(path);
+  return { rule: RULES.plain, before: nm[0] - 360, behind: 830 - nm.at(-1), columns };
+}
+
+/** Test colour samples every 5 nm of 360..830 nm; those of the last file, which are fewer, held on. */
+function test(path, last) {
+  const { nm, columns } = read(path),
+    further = read(last);
+  const held = further.columns.map((column) =>
+    nm.map((nm) => column[further.nm.indexOf(Math.min(Math.max(nm, further.nm[0]), further.nm.at(-1)))]),
+  );
+  return { rule: RULES.test, before: 0, behind: 0, columns: [...columns, ...held] };
+}
+
+/** Colour evaluation samples: of the 1 nm table every fifth. */
+function samples(path) {
+  const every = read(path).columns.map((column) => column.filter((_, k) => k % 5 === 0));
+  return { rule: RULES.sample, before: 0, behind: 0, columns: every };
+}
+
+function daylight() {
+  const { columns } = read('illuminants/daylight_components_5nm');
+  return columns.map((column) => ({ rule: RULES.plain, before: 0, behind: 0, columns: [column] }));
+}
+
+/** Column `column` of table `table`, again. */
+const copy = (table, column, rows) => ({
+  rule: RULES.copy,
+  before: 0,
+  behind: 0,
+  columns: [[table, column, rows]],
+});
+
+const eye1931 = eye('cmf/cie_1931_2deg_xyz_1nm');
+
+/** The eye of 1931 alone. */
+export const cie1931 = [eye1931];
+
+/** For the module `light`. V(lambda) is y-bar. */
+export const light = [
+  eye1931,
+  copy(0, 1, 471),
+  eye('cmf/cie_1964_10deg_xyz_1nm'),
+  eye('cmf/cie_2015_2deg_xyz_1nm'),
+  eye('cmf/cie_2015_10deg_xyz_1nm'),
+  eye('cmf/alpha_opic_s026_1nm'),
+  ...daylight(),
+  test('samples/cri_tcs14_5nm', 'samples/cri_tcs15_5nm'),
+  { rule: RULES.lights, before: 0, behind: 0, columns: [[0, 9]] },
+  { rule: RULES.daylight, before: 0, behind: 0, columns: [[0, 9, 6, 7, 8]] },
+  samples('samples/cie224_ces99_1nm'),
+];
