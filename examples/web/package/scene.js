@@ -40,6 +40,8 @@ export class Scene {
 
   build() {
     const { spectra, recipe } = this;
+    // Until all parts are in, no scene is in memory: one may be refused.
+    spectra.currentScene = null;
     spectra.wasm.scene_clear();
     this.parts = recipe.part.map((part) => {
       const kinds = KINDS.filter((kind) => part[kind] !== undefined);
@@ -241,6 +243,11 @@ export class Scene {
     }
     if (budget !== null && !within(budget, 0, 1e6)) {
       throw new Error(`${plain(budget)} is no colour difference; give 0 or more, 1 is just noticed`);
+    }
+    for (const k of off) {
+      if (!(Number.isInteger(k) && k >= 0 && k < this.parts.length)) {
+        throw new Error(`off: no part ${k}; give 0..${this.parts.length - 1}`);
+      }
     }
     const mask = off.reduce((bits, k) => bits | (1 << k), 0);
     if (spectra.wasm.scene_answer(this.eye, level ?? 0, mask, budget ?? -1)) {
