@@ -1,6 +1,6 @@
 // The small module: a light to XYZ, CCT and sRGB, Lab, an sRGB colour to a spectrum.
 import { Instrument } from './instrument.js';
-import { all, decoded, encoded, hex, single } from './numbers.js';
+import { all, decoded, encoded, hex, single, three } from './numbers.js';
 import { sourceOf, wrong } from './samples.js';
 
 /** What the small module does. */
@@ -27,7 +27,7 @@ export class Core extends Instrument {
 
   /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
   lab(xyz, white) {
-    return this.wasm.lab(...xyz, ...white) ? null : all(this.out.slice(0, 3));
+    return this.wasm.lab(...three(xyz, 'xyz'), ...three(white, 'white')) ? null : all(this.out.slice(0, 3));
   }
 
   /**
@@ -35,6 +35,7 @@ export class Core extends Instrument {
    * @param {[number, number, number]} rgb 0..1
    */
   upsample(rgb) {
+    rgb = three(rgb, 'rgb');
     if (!rgb.every(Number.isFinite))
       throw new Error('too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces');
     if (this.wasm.upsample(...rgb.map(decoded))) return null;

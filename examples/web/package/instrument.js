@@ -109,7 +109,9 @@ export class Instrument {
 
   /** The lamp of that name into `curve`. */
   named(name, place) {
-    const lamp = this.lamps?.get(String(name).toUpperCase());
+    if (!this.lamps)
+      throw new Error(`${place}: '${name}' is a name, and there are no lamps yet; await loadLamps() first`);
+    const lamp = this.lamps.get(String(name).toUpperCase());
     if (!lamp) {
       throw new Error(
         `${place}: '${name}' is no CIE illuminant; use E, A, C, D50, D55, D65, D75, ID50, ID65, FL1..FL12, ` +

@@ -1,9 +1,11 @@
 // Every number about a light or a surface, one by one or in batches.
 import { FIRST, Instrument, NODES, TITLES } from './instrument.js';
-import { all, double, hex, single } from './numbers.js';
+import { all, double, hex, plain, single, three } from './numbers.js';
 import { checkReach, remarks, sourceOf, wrong } from './samples.js';
 
 const EYES = ['1931', '1964', '2015-2', '2015-10'];
+const RULES = ['linear', 'sprague'];
+const UNITS = ['relative', 'absolute'];
 /** CIE 13.3: a test light further than this from its reference has no meaningful Ra. */
 const MAX_DC = 5.4e-3;
 
@@ -52,6 +54,8 @@ export class Light extends Instrument {
     } = options;
     const eye = EYES.indexOf(observer);
     if (eye < 0) throw new Error(`no observer ${observer}; use ${EYES.join(', ')}`);
+    if (!RULES.includes(interpolation)) throw new Error(`no interpolation ${interpolation}; use ${RULES.join(', ')}`);
+    if (!UNITS.includes(unit)) throw new Error(`no unit ${unit}; use ${UNITS.join(', ')}`);
     const source = sourceOf(samples, name),
       sprague = interpolation === 'sprague';
     const reading = {
@@ -246,13 +250,15 @@ export class Light extends Instrument {
    * @param {number} kelvin
    */
   blackBody(kelvin) {
+    if (!(kelvin >= 500 && kelvin <= 1e6))
+      throw new Error(`${plain(kelvin)} K does not shine for eyes; give 500 to 1000000 K`);
     this.wasm.black_body(kelvin);
     return Array.from(this.curve, (value, k) => [FIRST + k, value]);
   }
 
   /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
   lab(xyz, white) {
-    return this.wasm.lab(...xyz, ...white) ? null : all(this.out.slice(0, 3));
+    return this.wasm.lab(...three(xyz, 'xyz'), ...three(white, 'white')) ? null : all(this.out.slice(0, 3));
   }
 
   /**
@@ -261,7 +267,7 @@ export class Light extends Instrument {
    * @param {number} count at most 512
    */
   batch(count) {
-    if (!(count >= 0 && count <= 512)) throw new Error(`a batch of ${count}; 512 have room`);
+    if (!(Number.isInteger(count) && count >= 0 && count <= 512)) throw new Error(`a batch of ${count}; 512 have room`);
     const { wasm } = this;
     return {
       lights: new Float32Array(wasm.memory.buffer, wasm.batch_lights(), NODES * count),

@@ -53,7 +53,7 @@ const SIMD = Uint8Array.of(
  * @param {URL} wasm @param {URL} [tables]
  * @returns {Promise<{exports: Record<string, any>, tables: Float32Array[]}>}
  */
-export async function instantiate(wasm, tables) {
+async function instantiate(wasm, tables) {
   const [code, packed] = await Promise.all([read(wasm), tables ? read(tables) : Uint8Array.of(0)]);
   const module = await WebAssembly.compile(code),
     { exports } = await WebAssembly.instantiate(module, {});

@@ -19,6 +19,13 @@ export const all = (values) => (Number.isNaN(values[0]) ? null : singles(values)
 /** The same for an f32 that went through f64; all digits for an f64 that is none. @param {number} x */
 export const double = (x) => (Math.fround(x) === x ? single(x) : x);
 
+/** Three numbers, no fewer and no more. @param {Iterable<number>} given @param {string} what */
+export function three(given, what) {
+  const numbers = Array.from(given ?? []);
+  if (numbers.length !== 3) throw new Error(`${what}: ${numbers.length} numbers; give 3`);
+  return numbers;
+}
+
 /** `#rrggbb` @param {ArrayLike<number>} codes */
 export const hex = (codes) => `#${Array.from(codes, (c) => c.toString(16).padStart(2, '0')).join('')}`;
 
@@ -26,7 +33,7 @@ export const hex = (codes) => `#${Array.from(codes, (c) => c.toString(16).padSta
 export function plain(x) {
   const text = String(x);
   const [mantissa, exponent] = text.split('e');
-  if (exponent === undefined) return text;
+  if (exponent === undefined || !Number.isFinite(x)) return text;
   const sign = mantissa.startsWith('-') ? '-' : '',
     [whole, part = ''] = mantissa.replace('-', '').split('.');
   const shift = Number(exponent);

@@ -1,6 +1,6 @@
 // An RGB colour to the spectrum of a surface, and what that looks like under lamps.
 import { Instrument } from './instrument.js';
-import { all, hex, single } from './numbers.js';
+import { all, hex, single, three } from './numbers.js';
 import { wrong } from './samples.js';
 
 const METHODS = ['sigmoid', 'basis', 'smits'];
@@ -15,6 +15,7 @@ export class Paint extends Instrument {
   upsample(rgb, { method = 'sigmoid', beyond = 'nearest', lights = [] } = {}) {
     const number = METHODS.indexOf(method);
     if (number < 0) throw new Error(`no method ${method}; use ${METHODS.join(', ')}`);
+    rgb = three(rgb, 'rgb');
     const state = this.wasm.upsample(...rgb, number, +(beyond === 'desaturate'));
     const out = this.out.slice(0, 86);
     if (!out.slice(0, 81).every(Number.isFinite) || !rgb.every(Number.isFinite)) {

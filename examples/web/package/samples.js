@@ -17,15 +17,16 @@ export const wrong = (source, what) => new Error(`${source.file}:${source.lines[
  * @param {string} name @returns {Source}
  */
 export function sourceOf(samples, name) {
-  if (samples && 'samples' in samples) return samples;
-  const pairs =
-    samples && 'nm' in samples
-      ? Array.from(samples.nm, (nm, k) => [nm, samples.values[k]])
-      : Array.from(samples ?? []);
+  const has = (key) => typeof samples === 'object' && samples !== null && key in samples;
+  if (has('samples')) return samples;
+  const pairs = has('nm')
+    ? Array.from(samples.nm, (nm, k) => [nm, samples.values?.[k]])
+    : Array.from(samples ?? []);
   if (pairs.length < 2) throw new Error('fewer than 2 samples');
   pairs.forEach((pair, k) => {
-    const [nm, value] = pair.length === 2 ? pair : [NaN, NaN];
-    if (!(Number.isFinite(f(nm)) && Number.isFinite(value))) throw new Error(`sample ${k} is not a finite number`);
+    const [nm, value] = pair?.length === 2 ? pair : [NaN, NaN];
+    if (!(Number.isFinite(nm) && Number.isFinite(f(nm)) && Number.isFinite(value)))
+      throw new Error(`sample ${k} is not a finite number`);
     if (k > 0 && f(nm) <= f(pairs[k - 1][0])) {
       throw new Error(`the wavelength of sample ${k} is not above the one before it`);
     }

@@ -371,6 +371,36 @@ test('samples that are no spectrum are an Error with the words of the crate', ()
   assert.throws(() => light.batch(513), /512 have room/);
 });
 
+test('what an export would take for something else is refused before it is called', async () => {
+  const { light, paint, core } = loaded.get(true);
+  for (const rgb of [[0.8, 0.2], [0.8, 0.2, 0.1, 1], '#cc331a', null]) {
+    assert.throws(() => paint.upsample(rgb), /rgb: \d numbers; give 3/);
+    assert.throws(() => core.upsample(rgb), /rgb: \d numbers; give 3/);
+  }
+  assert.throws(() => light.lab([1, 2, 3, 4], [95, 100, 108]), /xyz: 4 numbers/);
+  const samples = [
+    [400, 1],
+    [700, 1],
+  ];
+  assert.throws(() => light.spectrum(samples, { interpolation: 'cubic' }), /no interpolation cubic/);
+  assert.throws(() => light.spectrum(samples, { unit: 'watts' }), /no unit watts/);
+  assert.throws(() => light.spectrum('D65'), /sample 0 is not a finite number/);
+  for (const kelvin of [NaN, 0, 499, undefined]) assert.throws(() => light.blackBody(kelvin), /does not shine for eyes/);
+  for (const count of [1.5, null, -1]) assert.throws(() => light.batch(count), /512 have room/);
+  const alone = await load({ module: 'paint' });
+  assert.throws(() => alone.upsample([0.8, 0.2, 0.1]), /there are no lamps yet/);
+});
+
+test('a scene that is refused leaves the others as they were', () => {
+  const module = loaded.get(true).scene,
+    vest = module.scene(scenes().vest),
+    before = vest.answer();
+  const [part] = scenes().vest.part;
+  assert.throws(() => module.scene({ lamp: { cie: 'A' }, part: [{ filter: { flat: 0.9 } }, part, { filter: { flat: 9 } }] }));
+  assert.deepEqual(vest.answer(), before);
+  for (const off of [1, 32, -1, 0.5, NaN, '0']) assert.throws(() => vest.answer({ off: [off] }), /off: no part/);
+});
+
 test('bands of an instrument are seen as by the crate, in both builds', () => {
   const [plain, simd] = BUILDS.map(([, simd]) => loaded.get(simd).bands);
   const vest = loaded.get(true).scene.scene(scenes().vest).answer();
