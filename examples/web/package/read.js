@@ -3,7 +3,9 @@
 /** @param {URL} url @returns {Promise<Uint8Array>} */
 export async function read(url) {
   if (url.protocol === 'file:') {
-    const { readFile } = await import('node:fs/promises');
+    // A name that bundlers for browsers do not look for.
+    const files = 'node:fs/promises';
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ files);
     return readFile(url);
   }
   const response = await fetch(url);

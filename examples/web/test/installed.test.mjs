@@ -8,7 +8,8 @@ import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const here = (path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
-const compiler = here('node_modules/.bin/tsc');
+const compiler = here('node_modules/.bin/tsc'),
+  bundler = here('node_modules/.bin/esbuild');
 
 test('what npm packs is installed elsewhere, and its README is right', () => {
   const folder = mkdtempSync(join(tmpdir(), 'nanospectra-package-'));
@@ -29,6 +30,12 @@ test('what npm packs is installed elsewhere, and its README is right', () => {
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
+});
+
+test('a bundler for browsers takes it as it is', { skip: !existsSync(bundler) && 'npm ci brings the bundler' }, () => {
+  const options = ['--bundle', '--format=esm', '--platform=browser', '--log-level=error'];
+  const bundle = execFileSync(bundler, [here('dist/nanospectra/nanospectra.js'), ...options], { encoding: 'utf8' });
+  assert.match(bundle, /WebAssembly/);
 });
 
 test('its types are those of what it does', { skip: !existsSync(compiler) && 'npm ci brings the compiler' }, () => {

@@ -109,7 +109,6 @@ async function bundle() {
     target: 'es2022',
     legalComments: 'none',
     logLevel: 'error',
-    external: ['node:*'],
     chunkNames: '[name]-[hash]',
     outdir: here('dist/page'),
   }).outputFiles;
