@@ -61,7 +61,7 @@ export function drawing(svg, isOn, redraw) {
     redraw();
   };
   svg.addEventListener('pointerdown', (event) => {
-    if (!isOn()) return;
+    if (!isOn() || event.button !== 0 || !event.isPrimary) return;
     svg.setPointerCapture(event.pointerId);
     event.preventDefault();
     svg.focus();
@@ -69,11 +69,12 @@ export function drawing(svg, isOn, redraw) {
     put(event);
   });
   svg.addEventListener('pointermove', (event) => {
-    if (isOn() && last && event.buttons) put(event);
+    if (isOn() && last && event.buttons && event.isPrimary) put(event);
   });
-  svg.addEventListener('pointerup', () => {
-    last = null;
-  });
+  for (const end of ['pointerup', 'pointercancel'])
+    svg.addEventListener(end, (event) => {
+      if (event.isPrimary) last = null;
+    });
   svg.addEventListener('keydown', (event) => {
     if (!isOn()) return;
     const by = event.shiftKey ? 0.1 : 0.02;
