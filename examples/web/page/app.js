@@ -13,8 +13,7 @@ const instruments = {
 const TABS = Object.keys(instruments);
 
 const built = new Set();
-async function show(tab, focus = false) {
-  const chosen = TABS.includes(tab) ? tab : 'light';
+async function show(chosen, focus = false) {
   for (const name of TABS) {
     const button = document.getElementById(`tab-${name}`),
       is = name === chosen;
@@ -68,7 +67,16 @@ dark.addEventListener('change', applyTheme);
 applyTheme();
 // A link that is pasted into this page is another state of everything.
 addEventListener('hashchange', () => location.reload());
-document.getElementById('link').addEventListener('click', () => copy(location.href, 'Link'));
+document.querySelector('.skip').addEventListener('click', (event) => {
+  event.preventDefault();
+  document.getElementById('main').focus();
+});
+// A file beside the colorimeter is not one to leave the page for.
+for (const name of ['dragover', 'drop']) addEventListener(name, (event) => event.preventDefault());
+document.getElementById('link').addEventListener('click', () => {
+  const whole = state.lamp || state.data || state.drawn;
+  copy(location.href, whole ? 'Link' : 'Link without the spectrum, which is too long for one,');
+});
 
 try {
   await begin();
@@ -76,8 +84,8 @@ try {
   document.getElementById('build').textContent = spectra.simd
     ? 'Running with simd128.'
     : 'Running without simd128.';
-  await show(state.tab);
-  document.documentElement.dataset.ready = 'yes';
 } catch (error) {
   failed(document.getElementById('main'), error);
 }
+await show(state.tab);
+document.documentElement.dataset.ready = 'yes';

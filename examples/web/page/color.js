@@ -41,5 +41,11 @@ export function tint(nm) {
   return `rgb(${rgbOf(x / sum, y / sum, Math.min(2 * sum, 1) ** 0.35)})`;
 }
 
+/** Black or white, whichever can be read on a colour: they meet where its luminance is 0.18. @param {string} hex */
+export function ink(hex) {
+  const [r, g, b] = [1, 3, 5].map((at) => (parseInt(hex.slice(at, at + 2), 16) / 255) ** 2.2);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18 ? '#000' : '#fff';
+}
+
 export const uvOf = ([x, y]) => [(4 * x) / (-2 * x + 12 * y + 3), (9 * y) / (-2 * x + 12 * y + 3)];
 export const xyOfUv = ([u, v]) => [(9 * u) / (6 * u - 16 * v + 12), (4 * v) / (6 * u - 16 * v + 12)];

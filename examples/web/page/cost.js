@@ -1,6 +1,6 @@
 // Cost: how few bands will do, for which lamps, by which fold; the errors computed here, the instructions as recorded.
 import { closely } from './fold.js';
-import { download, figure, h, select } from './dom.js';
+import { download, figure, h, onWidth, select } from './dom.js';
 import { cost as plot } from './plots.js';
 import { lampNames, remember, spectra, state } from './session.js';
 
@@ -60,7 +60,7 @@ function work() {
   const bands = Number(state.bands),
     scheme = Number(state.scheme);
   const here = results[scheme].points.find(([N]) => N === bands)[1];
-  view.bandsSaid.textContent = `${bands} bands`;
+  view.bandsSaid.textContent = bands;
   view.slider.setAttribute('aria-valuetext', `${bands} bands`);
   const size = [view.plot.width(), 300];
   view.plot.draw(
@@ -109,9 +109,8 @@ function work() {
 export async function build(section) {
   counts = await (await fetch(new URL('instructions.json', import.meta.url))).json();
   under = closely(spectra);
-  if (!(state.range in RANGES)) remember({ range: '0' });
   if (!BANDS.includes(Number(state.bands))) remember({ bands: '16' });
-  if (!(Number(state.scheme) in SCHEMES)) remember({ scheme: '2' });
+  if (!Object.hasOwn(KINDS, state.costlamp) && !lampNames().includes(state.costlamp)) remember({ costlamp: 'all' });
   view = {
     slider: h('input', {
       type: 'range',
@@ -149,7 +148,7 @@ export async function build(section) {
           'div',
           { class: 'card first' },
           h('h2', {}, 'How many bands will do?'),
-          h('label', { for: 'bands' }, view.bandsSaid),
+          h('label', { for: 'bands' }, 'Number of bands: ', view.bandsSaid),
           view.slider,
           h(
             'div',
@@ -247,5 +246,5 @@ export async function build(section) {
     ),
   );
   look();
-  new ResizeObserver(work).observe(section);
+  onWidth(section, work);
 }

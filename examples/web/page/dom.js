@@ -114,6 +114,16 @@ export function figure(title, name, [width, height]) {
   };
 }
 
+/** Draws again when an element has another width, as when its tab is opened. @param {HTMLElement} element */
+export function onWidth(element, draw) {
+  let width = 0;
+  new ResizeObserver(() => {
+    if (element.clientWidth === width) return;
+    width = element.clientWidth;
+    if (width) requestAnimationFrame(draw);
+  }).observe(element);
+}
+
 /** Options of a select. @param {Iterable<string | [string, string]>} list @param {string} chosen */
 export const options = (list, chosen) =>
   Array.from(list, (item) => {

@@ -1,6 +1,6 @@
 // The colorimeter: a spectrum from a file, a lamp or a hand, and every number about it.
 import { parse } from './nanospectra/csv.js';
-import { download, figure, h, say, select } from './dom.js';
+import { download, figure, h, onWidth, options, say, select } from './dom.js';
 import { drawing, drawnSource, hand } from './drawing.js';
 import { prepare, show } from './reading.js';
 import { lampNames, remember, spectra, state } from './session.js';
@@ -9,17 +9,20 @@ import { lampNames, remember, spectra, state } from './session.js';
 let sources = [];
 let chosen = 0;
 let reading, view;
+/** What the link says of the spectrum. */
+const OF_THE_SPECTRUM = ['lamp', 'drawn', 'data', 'file', 'column'];
+/** What was measured last, to which all returns if the next cannot be. */
+let good = null;
 
 /** What the state asks for, as spectra. */
 function restore() {
   if (state.drawn) {
-    const values = state.drawn.split(',').map((code) => Number(code) / 100);
-    if (values.length === 41 && values.every(Number.isFinite)) hand.values = values;
+    hand.values = state.drawn.split(',').map((code) => Number(code) / 100);
     sources = [drawnSource()];
   } else if (state.data) {
     sources = parse(state.data.replaceAll(';', '\n').replaceAll('_', ','), state.file ?? 'link.csv');
   } else sources = [spectra.lamps.get(state.lamp) ?? spectra.lamps.get('LED-B3')];
-  chosen = Math.min(Number(state.column ?? 0) || 0, sources.length - 1);
+  chosen = Math.min(Number(state.column ?? 0), sources.length - 1);
 }
 
 /** A text with spectra: kept in the link if it is short enough for one. */
@@ -28,7 +31,7 @@ function take(text, file) {
   sources = found;
   chosen = 0;
   const rows = found[0].samples.map(([nm], k) => [nm, ...found.map((source) => source.samples[k][1])].join('_'));
-  const heading = ['nm', ...found.map((source) => source.name.replace(/[_;"]/g, ' '))].join('_');
+  const heading = ['nm', ...found.map((source) => source.name.replace(/[_;,"]/g, ' '))].join('_');
   const packed = [heading, ...rows].join(';');
   remember({
     drawn: undefined,
@@ -45,11 +48,29 @@ function take(text, file) {
 async function attempt(work) {
   try {
     await work();
-    view.failure.textContent = '';
     measure();
+    view.failure.textContent = '';
   } catch (error) {
     view.failure.textContent = error.message;
+    if (good) {
+      ({ sources, chosen } = good);
+      remember(good.told);
+    }
   }
+  choices();
+}
+
+/** What can be chosen, and what is. */
+function choices() {
+  if (view.among !== sources) {
+    view.among = sources;
+    view.column.replaceChildren(...options(sources.map((source, k) => [String(k), source.name])));
+  }
+  view.column.value = chosen;
+  view.columns.hidden = sources.length < 2;
+  view.lamp.value = state.drawn || !state.lamp ? '' : state.lamp;
+  view.under.hidden = state.kind !== 'surface';
+  view.draw.setAttribute('aria-pressed', Boolean(state.drawn));
 }
 
 const open = (file) =>
@@ -77,28 +98,8 @@ function measure() {
     reflectance,
     light: state.under,
   });
-  view.columns.replaceChildren(
-    ...(sources.length > 1
-      ? [
-          select(
-            'Spectrum',
-            sources.map((source, k) => [String(k), source.name]),
-            String(chosen),
-            (value) => {
-              attempt(() => {
-                chosen = Number(value);
-                remember({ column: value });
-              });
-            },
-            'column',
-          ),
-        ]
-      : []),
-  );
-  view.lamp.value = state.drawn || !state.lamp ? '' : state.lamp;
-  view.under.hidden = !reflectance;
-  view.draw.setAttribute('aria-pressed', Boolean(state.drawn));
-  show(view, sources[chosen], reading);
+  good = { sources, chosen, told: Object.fromEntries(OF_THE_SPECTRUM.map((key) => [key, state[key]])) };
+  show(view, source, reading);
 }
 
 function redraw() {
@@ -145,7 +146,18 @@ export async function build(section) {
   });
   view = {
     failure: h('p', { class: 'failure', role: 'alert', id: 'failure' }),
-    columns: h('div'),
+    columns: select(
+      'Spectrum',
+      [],
+      '',
+      (value) => {
+        attempt(() => {
+          chosen = Number(value);
+          remember({ column: value });
+        });
+      },
+      'column',
+    ),
     lamp: h(
       'select',
       {
@@ -198,6 +210,7 @@ export async function build(section) {
     notes: h('ul', { class: 'notes' }),
     under: select('Under', lampNames(), state.under, change('under'), 'under'),
   };
+  view.column = view.columns.querySelector('select');
   view.spd.element.append(view.hint);
   view.spd.element.classList.add('second');
   drawing(view.spd.svg, () => Boolean(state.drawn), redraw);
@@ -231,29 +244,30 @@ export async function build(section) {
     view.failure,
   );
   for (const name of ['dragover', 'dragleave', 'drop']) {
-    section.addEventListener(name, (event) => {
-      event.preventDefault();
+    addEventListener(name, (event) => {
+      if (section.hidden) return;
       drop.classList.toggle('over', name === 'dragover');
       if (name === 'drop' && event.dataTransfer.files[0]) open(event.dataTransfer.files[0]);
     });
   }
-  section.addEventListener('paste', (event) => {
-    if (event.target.closest('textarea, input')) return;
+  addEventListener('paste', (event) => {
+    if (section.hidden || event.target.closest('textarea, input')) return;
     attempt(() => take(event.clipboardData.getData('text'), 'pasted'));
   });
+  const kind = select(
+    'The numbers are of',
+    [
+      ['light', 'a light'],
+      ['surface', 'a surface (0..1)'],
+    ],
+    state.kind,
+    change('kind'),
+    'kind',
+  );
   const settings = h(
     'div',
     { class: 'row', style: 'margin-top:.75rem' },
-    select(
-      'The numbers are of',
-      [
-        ['light', 'a light'],
-        ['surface', 'a surface (0..1)'],
-      ],
-      state.kind,
-      change('kind'),
-      'kind',
-    ),
+    kind,
     view.under,
     select(
       'Observer',
@@ -351,13 +365,12 @@ export async function build(section) {
       ),
     ),
   );
-  new ResizeObserver(() => {
-    if (reading) show(view, sources[chosen], reading);
-  }).observe(section);
+  onWidth(section, () => show(view, sources[chosen], reading));
   await attempt(restore);
   if (view.failure.textContent) {
     const said = view.failure.textContent;
-    remember({ data: undefined, drawn: undefined, lamp: 'LED-B3' });
+    remember({ ...Object.fromEntries(OF_THE_SPECTRUM.map((key) => [key, undefined])), lamp: 'LED-B3', kind: 'light' });
+    kind.querySelector('select').value = 'light';
     await attempt(restore);
     view.failure.textContent = said;
   }

@@ -1,5 +1,6 @@
 // Paint: an RGB colour, the spectra that have it, and what they look like under other lamps.
-import { copy, download, figure, h, select } from './dom.js';
+import { ink } from './color.js';
+import { copy, download, figure, h, onWidth, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
 import { fetched, lampNames, remember, state } from './session.js';
 
@@ -110,14 +111,9 @@ function work() {
   view.status.textContent = `${chosen.method}: ${status[chosen.status]}, round trip ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;
 }
 
-/** Black or white, whichever can be read on a colour. */
-const ink = (hex) =>
-  parts(hex).reduce((sum, c, k) => sum + c ** 2.2 * [0.21, 0.72, 0.07][k], 0) > 0.25 ? '#000' : '#fff';
-
 /** @param {HTMLElement} section */
 export async function build(section) {
   module = await fetched('paint');
-  if (!/^#[0-9a-f]{6}$/.test(state.rgb)) remember({ rgb: '#cc331a' });
   const number = (name, k) =>
     h('input', {
       type: 'number',
@@ -130,6 +126,7 @@ export async function build(section) {
         remember({ rgb: `#${codes.map((c) => c.toString(16).padStart(2, '0')).join('')}` });
         work();
       },
+      onblur: () => work(),
     });
   view = {
     color: h('input', {
@@ -294,5 +291,5 @@ export async function build(section) {
     ),
   );
   work();
-  new ResizeObserver(work).observe(section);
+  onWidth(section, work);
 }

@@ -69,7 +69,7 @@ export function show(view, source, reading) {
   const samples = Array.from(curve, (value, k) => [360 + k, value * scale]).filter(
     ([nm]) => nm >= 380 && nm <= 780,
   );
-  const unit = state.kind === 'surface' ? 'reflectance' : state.unit === 'absolute' ? 'W/m²/nm' : 'relative power';
+  const unit = reading.light !== undefined ? 'reflectance' : reading.unit === 'absolute' ? 'W/m²/nm' : 'relative power';
   const size = [view.spd.width(), 300];
   const spd = plot(samples, unit, {
     id: 'spd',
@@ -91,10 +91,32 @@ export function show(view, source, reading) {
       xy ? `the point is at x = ${xy[0].toFixed(4)}, y = ${xy[1].toFixed(4)}` : 'no chromaticity',
     );
   }
+  view.cri.element.hidden = reading.cri_r === null;
+  if (reading.cri_r)
+    view.cri.draw(
+      bars(reading.cri_r, tcs, view.cri.width()),
+      `Ra ${reading.cri_ra.toFixed(1)}; ${reading.cri_r.map((r, k) => `R${k + 1} ${r.toFixed(0)}`).join(', ')}`,
+      [view.cri.width(), 228],
+    );
+  view.tm30.element.hidden = !reading.tm30;
+  if (reading.tm30)
+    view.tm30.draw(
+      vectors(reading.tm30),
+      `Rf ${reading.tm30.rf.toFixed(1)}, Rg ${reading.tm30.rg.toFixed(1)}; shifts of 16 hues against the reference circle`,
+    );
+  // Words are not said again because the window is another size.
+  if (view.told !== reading) tell(view, reading);
+  view.told = reading;
+}
+
+/** Its words and numbers. */
+function tell(view, reading) {
+  // While a spectrum is drawn, the plot says where the pen is.
+  view.big.parentElement.setAttribute('aria-live', state.drawn ? 'off' : 'polite');
   view.swatch.style.background = reading.hex ?? 'transparent';
   view.swatch.setAttribute('aria-label', `Colour ${reading.hex ?? 'none'}`);
   const big =
-    state.kind === 'surface'
+    reading.light !== undefined
       ? [
           ['L*', rounded(reading.lab?.[0] ?? null, 1)],
           ['a*', rounded(reading.lab?.[1] ?? null, 1)],
@@ -127,6 +149,7 @@ export function show(view, source, reading) {
             {
               type: 'button',
               class: 'copy',
+              'aria-label': `Copy ${name}: ${value}`,
               'data-key': key,
               title: 'Copy',
               onclick: () => copy(value, name),
@@ -138,19 +161,6 @@ export function show(view, source, reading) {
       );
     }),
   );
-  view.cri.element.hidden = reading.cri_r === null;
-  if (reading.cri_r)
-    view.cri.draw(
-      bars(reading.cri_r, tcs, view.cri.width()),
-      `Ra ${reading.cri_ra.toFixed(1)}; ${reading.cri_r.map((r, k) => `R${k + 1} ${r.toFixed(0)}`).join(', ')}`,
-      [view.cri.width(), 228],
-    );
-  view.tm30.element.hidden = !reading.tm30;
-  if (reading.tm30)
-    view.tm30.draw(
-      vectors(reading.tm30),
-      `Rf ${reading.tm30.rf.toFixed(1)}, Rg ${reading.tm30.rg.toFixed(1)}; shifts of 16 hues against the reference circle`,
-    );
   const notes = new Map();
   for (const note of reading.notes) {
     const [, key, words] = /^(\w+): (.*)$/s.exec(note);

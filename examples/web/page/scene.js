@@ -1,14 +1,16 @@
 // Scenes: what light meets on its way, each effect a switch; the colour, and what it costs.
-import { download, figure, h, select } from './dom.js';
+import { ink } from './color.js';
+import { download, figure, h, onWidth, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
 import { fetched, lampNames, remember, state } from './session.js';
 
 let module, scenes, view, scene, answer;
 
-const switchedOff = () => state.off.split(',').filter(Boolean).map(Number);
+/** The parts that are off; a link may name some that this scene has not. */
+const switchedOff = () => (state.off ? state.off.split(',').map(Number).filter((k) => k < scene.parts.length) : []);
 
 function open() {
-  const recipe = structuredClone(scenes[state.scene] ?? scenes.vest);
+  const recipe = structuredClone(scenes[state.scene]);
   if (state.scenelamp) recipe.lamp.cie = state.scenelamp;
   scene = module.scene(recipe);
   view.lamp.value = recipe.lamp.cie;
@@ -59,13 +61,13 @@ function work() {
   view.pair.replaceChildren(
     h(
       'div',
-      { style: `background:${whole.hex};color:${ink(whole.XYZ[1])}` },
+      { style: `background:${whole.hex};color:${ink(whole.hex)}` },
       'with every effect',
       h('b', {}, whole.hex),
     ),
     h(
       'div',
-      { style: `background:${answer.hex};color:${ink(answer.XYZ[1])}` },
+      { style: `background:${answer.hex};color:${ink(answer.hex)}` },
       'as switched',
       h('b', {}, answer.hex),
     ),
@@ -137,13 +139,11 @@ function work() {
         : `Within ${budget} CIEDE2000: leave out ${answer.budget.left_out.map((k) => scene.parts[k].name).join(' and ')}; that costs ${answer.budget.cost_delta_e2000.toFixed(2)}, ${answer.budget.multiply_adds} multiply-adds remain.`;
 }
 
-const ink = (y) => (y > 25 ? '#000' : '#fff');
-
 /** @param {HTMLElement} section */
 export async function build(section) {
   module = await fetched('scene');
   scenes = await (await fetch(new URL('scenes.json', import.meta.url))).json();
-  if (!scenes[state.scene]) remember({ scene: 'vest', off: '' });
+  if (!Object.hasOwn(scenes, state.scene)) remember({ scene: 'vest', off: '' });
   const lamp = select(
     'Lamp',
     lampNames(),
@@ -268,5 +268,5 @@ export async function build(section) {
     ),
   );
   open();
-  new ResizeObserver(work).observe(section);
+  onWidth(section, work);
 }

@@ -1,8 +1,41 @@
 // What all instruments share: the module that measures, and the state that the link carries.
 import { load } from './nanospectra/nanospectra.js';
 
+/** What a link may say; whatever else it says counts for nothing. */
+const POSSIBLE = {
+  tab: /^(light|paint|scene|cost)$/,
+  theme: /^(light|dark)$/,
+  lamp: /./,
+  drawn: /^(\d\d?|100)(,(\d\d?|100)){40}$/,
+  data: /./,
+  file: /./,
+  column: /^\d+$/,
+  observer: /^(1931|1964|2015-2|2015-10)$/,
+  interpolation: /^(linear|sprague)$/,
+  unit: /^(relative|absolute)$/,
+  kind: /^(light|surface)$/,
+  under: /./,
+  diagram: /^(1931|1976)$/,
+  rgb: /^#[0-9a-f]{6}$/i,
+  method: /^(sigmoid|basis|smits)$/,
+  paintlamp: /./,
+  scene: /./,
+  scenelamp: /./,
+  off: /^\d+(,\d+)*$/,
+  budget: /^(1?\d(\.5)?|20)$/,
+  costlamp: /./,
+  bands: /^\d+$/,
+  range: /^[012]$/,
+  scheme: /^[0-3]$/,
+};
+
+const said = new URLSearchParams(location.hash.slice(1));
 /** What the link carries. @type {Record<string, string>} */
-export const state = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+export const state = Object.fromEntries(
+  Object.keys(POSSIBLE)
+    .filter((key) => POSSIBLE[key].test(said.get(key) ?? ''))
+    .map((key) => [key, said.get(key)]),
+);
 /** What is left out of the link because it goes without saying. */
 const usual = {
   tab: 'light',
@@ -41,6 +74,8 @@ export async function fetched(module) {
   const instrument = await load({ module, base });
   lamps ??= await instrument.loadLamps(base);
   instrument.lamps = lamps;
+  for (const key of ['lamp', 'under', 'paintlamp', 'scenelamp'])
+    if (state[key] && !lamps.has(state[key])) remember({ [key]: usual[key] });
   return instrument;
 }
 

@@ -97,7 +97,7 @@ check('so does one that is dropped, with several spectra, by every setting', asy
   await page.open(root);
   const content = 'nm,first,second\n380,0.1,0.5\n450,1.25,0.6\n555,0.3,0.7\n620,0.9,0.8\n780,0.05,0.9\n';
   await drop('two.csv', content);
-  await page.until("document.querySelector('#column')");
+  await page.until("!document.querySelector('#column').parentElement.hidden");
   const [first, second] = host.json('colorimeter', ['-'], content);
   await same(first);
   await page.select('#column', '1');
@@ -149,6 +149,71 @@ check('a bundled lamp, a pasted text and a link give the same', async () => {
   await same(host.json('colorimeter', ['-'], 'nm;a\n400;1\n700;2\n')[0]);
   await page.open(link);
   assert.deepEqual(await shown(), pasted);
+});
+
+check('a file that cannot be measured leaves the page and its link as they were', async () => {
+  await page.open(`${root}#lamp=FL11`);
+  const before = await shown();
+  await drop('dark.csv', '400,0\n700,0\n');
+  await page.until("document.querySelector('#failure').textContent.includes('every value is zero')");
+  assert.deepEqual(await shown(), before);
+  assert.equal(await page.value("location.hash + document.querySelector('#lamp').value"), '#lamp=FL11FL11');
+});
+
+check('names with separators go through the link, and choosing a spectrum keeps the focus', async () => {
+  await page.open(root);
+  await drop('two.csv', 'nm,"a, b","c;d_e"\n400,1,2\n700,2,1\n');
+  await page.until("!document.querySelector('#column').parentElement.hidden");
+  await page.value("document.querySelector('#column').focus()");
+  await page.select('#column', '1');
+  assert.equal(await page.value('document.activeElement.id'), 'column');
+  const second = await shown();
+  await page.open(await page.value('location.href'));
+  assert.deepEqual(await shown(), second);
+});
+
+check('a text is pasted wherever the focus is', async () => {
+  await page.open(root);
+  await page.value(`(() => {
+    const data = new DataTransfer();
+    data.setData('text', '400,1\\n700,2\\n');
+    document.body.dispatchEvent(new ClipboardEvent('paste', { bubbles: true, clipboardData: data }));
+  })()`);
+  await page.until("location.hash.includes('data=')");
+});
+
+check('a link that says what cannot be is a page that works', async () => {
+  const links = {
+    'observer=moon': '#numbers tr',
+    'kind=surface': '#numbers tr',
+    'lamp=moon&column=-1&kind=surface&under=moon': '#numbers tr',
+    'drawn=1,2,x': '#numbers tr',
+    'constructor=1&__proto__=2': '#numbers tr',
+    'tab=paint&paintlamp=moon&method=moon&rgb=zzz': '[data-delta]',
+    'tab=scene&scene=constructor&off=abc&budget=abc&scenelamp=moon': '#bill tr',
+    'tab=scene&off=99&budget=-5': '#bill tr',
+    'tab=cost&costlamp=moon&range=length&scheme=x&bands=17': '#cost dd',
+    'tab=cost&costlamp=constructor&range=constructor': '#cost dd',
+  };
+  for (const [link, shown] of Object.entries(links)) {
+    await page.open(`${root}#${link}`);
+    assert.ok(await page.value(`document.querySelector('${shown}')`).then((found) => found !== null), link);
+    assert.deepEqual(
+      await page.value("[...document.querySelectorAll('section:not([hidden]) select')].filter((s) => s.selectedIndex < 0 && s.offsetParent).map((s) => s.id)"),
+      [],
+      link,
+    );
+  }
+  await page.open(`${root}#tab=scene&off=99`);
+  assert.match(await page.value("document.querySelector('#verdict').textContent"), /multiply-adds walked/);
+  assert.equal((await fetch(`${root}%`)).status, 404);
+});
+
+check('who skips to the instrument keeps it', async () => {
+  await page.open(`${root}#lamp=FL11`);
+  await page.value("(window.same = true, document.querySelector('.skip').click())");
+  await page.until("document.activeElement.id === 'main'");
+  assert.equal(await page.value('location.hash + window.same'), '#lamp=FL11true');
 });
 
 check('a spectrum is drawn by pointer and by keyboard, and the link carries it', async () => {
