@@ -5,7 +5,19 @@ import { hex, plain, single, singles } from './numbers.js';
 const f = Math.fround;
 const RADIANS = f(f(Math.PI) / 180);
 const EYES = ['CIE 1931', 'CIE 1964'];
-const KINDS = ['filter', 'surface', 'dye', 'film', 'mirror', 'polariser', 'retarder'];
+const FACTORS = { must: [], may: ['flat', 'points', 'absorbance_per_cm', 'path_cm'] };
+/** What each kind of part is told by. */
+const FIELDS = {
+  filter: FACTORS,
+  surface: FACTORS,
+  dye: { must: ['reflectance', 'absorption', 'emission', 'quantum_yield'], may: ['transmitted'] },
+  film: { must: ['n', 'thickness_nm'], may: ['angle_deg', 'n_before', 'n_behind', 'transmitted'] },
+  mirror: { must: ['n', 'angle_deg'], may: ['k', 'axis_deg'] },
+  polariser: { must: ['axis_deg'], may: ['along', 'across'] },
+  retarder: { must: ['path_difference_nm', 'axis_deg'], may: [] },
+};
+const KINDS = Object.keys(FIELDS);
+const LAMP = { must: [], may: ['cie', 'blackbody_k', 'points', 'illuminance_lx'] };
 const DYES = [
   'has a value that is negative or not finite',
   '',
@@ -16,6 +28,15 @@ const DYES = [
 ];
 
 const within = (x, low, high) => x >= low && x <= high;
+
+/** Refuses a recipe that lacks a field or has one that nobody reads: a slip of the pen. */
+function checkFields(written, { must, may }) {
+  const lacking = must.find((field) => written?.[field] === undefined);
+  if (lacking) throw new Error(`missing field \`${lacking}\``);
+  const fields = [...must, ...may],
+    unknown = Object.keys(written ?? {}).find((field) => !fields.includes(field));
+  if (unknown) throw new Error(`unknown field \`${unknown}\`, expected one of ${fields.join(', ')}`);
+}
 
 /** What the module `scene` does. */
 export class Scenes extends Instrument {
@@ -50,6 +71,7 @@ export class Scene {
       }
       const [kind] = kinds,
         written = part[kind];
+      checkFields(written, FIELDS[kind]);
       const effect = this[kind](written);
       return {
         name: part.name ?? kind,
@@ -122,7 +144,7 @@ export class Scene {
 
   factors(written, matt) {
     const { spectra } = this,
-      { flat, points, absorbance_per_cm: absorbance, path_cm: cm } = written;
+      { flat, points, absorbance_per_cm: absorbance, path_cm: cm } = written ?? {};
     if ([flat, points, absorbance].filter((given) => given !== undefined).length !== 1) {
       throw new Error('its share comes from one place; give one of flat, points, absorbance_per_cm');
     }
@@ -212,6 +234,7 @@ export class Scene {
   lamp() {
     const { spectra } = this,
       { cie, blackbody_k: kelvin, points } = this.recipe.lamp ?? {};
+    checkFields(this.recipe.lamp, LAMP);
     if ([cie, kelvin, points].filter((given) => given !== undefined).length !== 1) {
       throw new Error('a lamp is one thing; give one of cie, blackbody_k, points');
     }

@@ -395,9 +395,14 @@ test('a scene that is refused leaves the others as they were', () => {
   const module = loaded.get(true).scene,
     vest = module.scene(scenes().vest),
     before = vest.answer();
-  const [part] = scenes().vest.part;
-  assert.throws(() => module.scene({ lamp: { cie: 'A' }, part: [{ filter: { flat: 0.9 } }, part, { filter: { flat: 9 } }] }));
+  const [dye] = scenes().vest.part;
+  assert.throws(() => module.scene({ lamp: { cie: 'A' }, part: [{ filter: { flat: 0.9 } }, dye, { filter: { flat: 9 } }] }));
   assert.deepEqual(vest.answer(), before);
+  const part = (part) => () => module.scene({ lamp: { cie: 'A' }, part: [part] });
+  assert.throws(part({ filter: { flat: 0.5, path: 2 } }), /unknown field `path`/);
+  assert.throws(part({ mirror: { n: 1.5 } }), /missing field `angle_deg`/);
+  assert.throws(part({ dye: {} }), /missing field `reflectance`/);
+  assert.throws(part({ filter: null }), /its share comes from one place|missing/);
   for (const off of [1, 32, -1, 0.5, NaN, '0']) assert.throws(() => vest.answer({ off: [off] }), /off: no part/);
 });
 
