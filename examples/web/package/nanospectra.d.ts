@@ -8,7 +8,7 @@ export interface Source {
   samples: [number, number][];
 }
 
-/** Wavelengths in nm, increasing, at any spacing, and values. */
+/** Wavelengths in nm, increasing, at any spacing, and values; 2 to 4096 samples. */
 export type Samples =
   Source | Iterable<readonly [number, number]> | { nm: ArrayLike<number>; values: ArrayLike<number> };
 
@@ -89,7 +89,7 @@ export interface UpsampleOptions {
   method?: 'sigmoid' | 'basis' | 'smits';
   /** What to do with a colour that no smooth spectrum has. */
   beyond?: 'nearest' | 'desaturate';
-  /** Names of CIE illuminants or spectra to look under; D65 is always the first. */
+  /** Names of CIE illuminants or spectra to look under; D65 is always the first, so the module needs its lamps. */
   lights?: (string | Samples)[];
 }
 
@@ -192,13 +192,14 @@ export interface SceneAnswer {
 
 export interface Scene {
   parts: { name: string; kind: string; effect: string; matt: boolean }[];
+  /** `off` numbers parts, from 0, without their effects; within `budget`, a CIEDE2000, effects are left out. */
   answer(options?: { off?: number[]; budget?: number | null }): SceneAnswer;
 }
 
 export interface Batch {
-  /** 471 numbers a light, 360..830 nm, in the module's memory. */
+  /** 471 numbers a light, 360..830 nm, in the module's memory: every batch of a module is the same memory. */
   lights: Float32Array;
-  /** 20 numbers a light: X, Y, Z, Ra, distance to the reference, R1..R15; NaN where there is no rendering. */
+  /** 20 numbers a light: X, Y, Z (sums over 1 nm, not scaled to Y = 100), Ra, distance to the reference in u, v, R1..R15; NaN where there is no rendering. */
   results: Float32Array;
   measure(): void;
 }
@@ -265,7 +266,7 @@ export interface Modules {
   bands: Bands;
 }
 
-/** `base` is where the package's files are, `simd` whether to take the build for vectors; by default what runs here. */
+/** `base` is where the package's files are, an absolute URL that ends with a slash; `simd` whether to take the build for vectors; by default what runs here. */
 export function load<M extends keyof Modules = 'light'>(options?: {
   module?: M;
   base?: string | URL;
