@@ -17,7 +17,7 @@ const MOST = {
   'light.tables': 21000,
   // By brotli: what measuring a spectrum takes, and all four tabs, without the bundled lamps.
   'first-tab.br': 61440,
-  'page.br': 98000,
+  'page.br': 98500,
 };
 
 /** Is the size within what is allowed, and no less than nine tenths of it? @param {string} what @param {number} size */

@@ -339,6 +339,17 @@ check('whatever can be used has a name, every plot a text, and no identifier is 
   }
 });
 
+check('a screen reader finds a name for every control', async () => {
+  const CONTROLS = ['button', 'combobox', 'textbox', 'slider', 'switch', 'radio', 'spinbutton', 'tab', 'image', 'link'];
+  for (const tab of ['light', 'paint', 'scene', 'cost']) {
+    await page.open(`${root}#tab=${tab}`);
+    const { nodes } = await page.send('Accessibility.getFullAXTree');
+    const controls = nodes.filter(({ ignored, role }) => !ignored && CONTROLS.includes(role?.value));
+    assert.ok(controls.length > 10, tab);
+    assert.deepEqual(controls.filter(({ name }) => !name?.value).map(({ role }) => role.value), [], tab);
+  }
+});
+
 check('plots and data can be saved', async () => {
   await page.open(root);
   await page.send('Page.setDownloadBehavior', { behavior: 'allow', downloadPath: scratch });
