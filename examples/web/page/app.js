@@ -28,8 +28,11 @@ async function show(chosen, focus = false) {
   const section = document.getElementById(chosen);
   try {
     const { build } = await instruments[chosen]();
+    section.replaceChildren();
     await build(section);
   } catch (error) {
+    // It may be there the next time.
+    built.delete(chosen);
     failed(section, error);
   }
 }

@@ -62,7 +62,8 @@ function standalone(svg) {
   copy.setAttribute('width', width);
   copy.setAttribute('height', height);
   copy.insertAdjacentHTML('afterbegin', `<style>${rules}</style><rect width="100%" height="100%" fill="${back}"/>`);
-  return new XMLSerializer().serializeToString(copy);
+  // A spectrum's name may hold what XML may not.
+  return new XMLSerializer().serializeToString(copy).replace(/[^\t\n\r -\uFFFD]/g, '');
 }
 
 async function png(svg, name) {
