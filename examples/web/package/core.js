@@ -1,5 +1,5 @@
 // The small module: a light to XYZ, CCT and sRGB, Lab, an sRGB colour to a spectrum.
-import { Instrument } from './instrument.js';
+import { Instrument, labOf } from './instrument.js';
 import { all, decoded, encoded, hex, single, three } from './numbers.js';
 import { sourceOf, wrong } from './samples.js';
 
@@ -27,7 +27,7 @@ export class Core extends Instrument {
 
   /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
   lab(xyz, white) {
-    return this.wasm.lab(...three(xyz, 'xyz'), ...three(white, 'white')) ? null : all(this.out.slice(0, 3));
+    return labOf(this, xyz, white);
   }
 
   /**

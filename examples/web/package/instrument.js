@@ -1,4 +1,5 @@
 // What every module has: memory, a spectrum at every nanometre, the CIE's lamps.
+import { all, three } from './numbers.js';
 import { read } from './read.js';
 import { checkReach, exactly, needsExact, sourceOf, wrong } from './samples.js';
 
@@ -23,12 +24,13 @@ function refusal(code) {
 
 /** A module that measures spectra at 360..830 nm. */
 export class Instrument {
-  /** @param {Record<string, any>} wasm @param {boolean} simd @param {Float32Array[]} tables the CIE's, the first is x, y, z of 1931 */
-  constructor(wasm, simd, tables) {
+  /** @param {Record<string, any>} wasm @param {boolean} simd @param {Float32Array[]} tables the CIE's, the first is x, y, z of 1931 @param {string | URL} base where the package's files are */
+  constructor(wasm, simd, tables, base) {
     const view = (address, length) => new Float32Array(wasm.memory.buffer, address, length);
     this.wasm = wasm;
     this.simd = simd;
     this.tables = tables;
+    this.base = base;
     this.pairs = view(wasm.samples(), 2 * CAPACITY);
     this.curve = view(wasm.curve(), NODES);
     this.light = view(wasm.light(), NODES);
@@ -89,7 +91,7 @@ export class Instrument {
   }
 
   /** Brings the CIE's lamps, by name, from lamps.json. @param {string | URL} [base] */
-  async loadLamps(base = import.meta.url) {
+  async loadLamps(base = this.base) {
     const lamps = JSON.parse(new TextDecoder().decode(await read(new URL('lamps.json', base))));
     this.lamps = new Map(
       lamps.map(({ name, first, step, values }) => [
@@ -133,4 +135,11 @@ export class Instrument {
   dark(eye) {
     return `nothing visible, Y is not above zero for ${TITLES[eye]}; check range and dark reading`;
   }
+}
+
+/** L*, a*, b* by a module that has them; null if the white is none. @param {Instrument} instrument @param {number[]} xyz @param {number[]} white */
+export function labOf({ wasm, out }, xyz, white) {
+  const numbers = [...three(xyz, 'xyz'), ...three(white, 'white')];
+  if (!numbers.every(Number.isFinite)) throw new Error('X, Y, Z are not finite; give numbers');
+  return wasm.lab(...numbers) ? null : all(out.slice(0, 3));
 }

@@ -1,6 +1,6 @@
 // Every number about a light or a surface, one by one or in batches.
-import { FIRST, Instrument, NODES, TITLES } from './instrument.js';
-import { all, double, hex, plain, single, three } from './numbers.js';
+import { FIRST, Instrument, NODES, TITLES, labOf } from './instrument.js';
+import { all, double, hex, plain, single } from './numbers.js';
 import { checkReach, remarks, sourceOf, wrong } from './samples.js';
 
 const EYES = ['1931', '1964', '2015-2', '2015-10'];
@@ -39,6 +39,15 @@ const OF_THE_LIGHT = [
 
 /** What the module `light` does. */
 export class Light extends Instrument {
+  /**
+   * Tables of the CIE that it measures with, in the order of tools/tables.mjs: x, y, z of 1931 at 360..830 nm and the 99
+   * samples of CIE 224 at 380..780 nm, row after row; the test colours and a white every 5 nm from 350 nm, node after node.
+   */
+  get published() {
+    const { tables } = this;
+    return { eye: tables[0], testColors: tables[9], samples: tables[12] };
+  }
+
   /**
    * Every number about a spectrum, with the keys of `colorimeter --json`; what is not defined is null, and a note says why.
    * @param {Parameters<typeof sourceOf>[0]} samples
@@ -258,7 +267,7 @@ export class Light extends Instrument {
 
   /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
   lab(xyz, white) {
-    return this.wasm.lab(...three(xyz, 'xyz'), ...three(white, 'white')) ? null : all(this.out.slice(0, 3));
+    return labOf(this, xyz, white);
   }
 
   /**

@@ -214,6 +214,8 @@ export interface Instrument {
 
 /** Every number about a light or a surface. */
 export interface Light extends Instrument {
+  /** x, y, z of CIE 1931 at 360..830 nm and the 99 samples of CIE 224 at 380..780 nm, row after row; test colours. */
+  readonly published: { eye: Float32Array; testColors: Float32Array; samples: Float32Array };
   spectrum(samples: Samples, options?: SpectrumOptions): Reading;
   /** A black body of 500 to 1000000 K, 1 at 560 nm. */
   blackBody(kelvin: number): [number, number][];

@@ -13,39 +13,7 @@ const MODULES = {
 };
 
 /** An empty module with one v128.const in it. */
-const SIMD = Uint8Array.of(
-  0,
-  97,
-  115,
-  109,
-  1,
-  0,
-  0,
-  0,
-  1,
-  5,
-  1,
-  96,
-  0,
-  1,
-  123,
-  3,
-  2,
-  1,
-  0,
-  10,
-  10,
-  1,
-  8,
-  0,
-  65,
-  0,
-  253,
-  15,
-  253,
-  98,
-  11,
-);
+const SIMD = Uint8Array.from('0061736d010000000105016000017b030201000a0a0108004100fd0ffd620b'.match(/../g), (byte) => parseInt(byte, 16));
 
 /**
  * A module's exports, its measured tables in place: they come packed, and go where the module has room for them before
@@ -74,7 +42,7 @@ async function instantiate(wasm, tables) {
  * @param {{module?: 'light' | 'paint' | 'scene' | 'core' | 'bands', base?: string | URL, simd?: boolean}} [options]
  */
 export async function load({ module = 'light', base = import.meta.url, simd = WebAssembly.validate(SIMD) } = {}) {
-  const chosen = MODULES[module];
+  const chosen = Object.hasOwn(MODULES, module) && MODULES[module];
   if (!chosen) throw new Error(`no module ${module}; use ${Object.keys(MODULES).join(', ')}`);
   const [Module, { exports, tables }] = await Promise.all([
     chosen.of(),
@@ -83,5 +51,5 @@ export async function load({ module = 'light', base = import.meta.url, simd = We
       chosen.tables && new URL(chosen.tables, base),
     ),
   ]);
-  return new Module(exports, simd, tables);
+  return new Module(exports, simd, tables, base);
 }

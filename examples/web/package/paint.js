@@ -4,6 +4,7 @@ import { all, hex, single, three } from './numbers.js';
 import { wrong } from './samples.js';
 
 const METHODS = ['sigmoid', 'basis', 'smits'];
+const BEYOND = ['nearest', 'desaturate'];
 
 /** What the module `paint` does. */
 export class Paint extends Instrument {
@@ -15,13 +16,15 @@ export class Paint extends Instrument {
   upsample(rgb, { method = 'sigmoid', beyond = 'nearest', lights = [] } = {}) {
     const number = METHODS.indexOf(method);
     if (number < 0) throw new Error(`no method ${method}; use ${METHODS.join(', ')}`);
+    if (!BEYOND.includes(beyond)) throw new Error(`beyond = ${beyond}; use ${BEYOND.join(', ')}`);
+    if (!Array.isArray(lights)) throw new Error('lights is no list; give [] or names and spectra');
     rgb = three(rgb, 'rgb');
     const state = this.wasm.upsample(...rgb, number, +(beyond === 'desaturate'));
     const out = this.out.slice(0, 86);
     if (!out.slice(0, 81).every(Number.isFinite) || !rgb.every(Number.isFinite)) {
       throw new Error('too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces');
     }
-    const looks = ['D65', ...lights.filter((light) => light !== 'D65')].map((light) => {
+    const looks = ['D65', ...lights.filter((light) => String(light).toUpperCase() !== 'D65')].map((light) => {
       const source = this.lightOf(light);
       this.light.set(this.curve);
       if (this.wasm.paint_under()) throw wrong(source, this.dark(0));

@@ -1,6 +1,7 @@
 // One measured spectrum: what is wrong with it, what is worth a word about it, and how f64 reads between its samples.
 // After examples/colorimeter: `source.rs` and `exact.rs`.
 import { plain } from './numbers.js';
+import { BEYOND, quintic } from './sprague.js';
 
 const FIRST = 360,
   LAST = 830;
@@ -99,20 +100,11 @@ export function exactly(samples, nm, sprague) {
   const step = (last[0] - first[0]) / (n - 1),
     cell = above - 1,
     t = (nm - first[0]) / step - cell;
-  const weights = [
-    [508, -540, 488, -367, 144, -24],
-    [884, -1960, 3033, -2648, 1080, -180],
-  ];
-  const beyond = (steps, inside) => weights[steps].reduce((sum, weight, k) => sum + weight * inside(k), 0) / 209;
+  const beyond = (steps, inside) => BEYOND[steps].reduce((sum, weight, k) => sum + weight * inside(k), 0) / 209;
   const p = [0, 1, 2, 3, 4, 5].map((j) => {
     const k = cell + j - 2;
     if (k < 0) return beyond(-1 - k, (i) => samples[i][1]);
     return k >= n ? beyond(k - n, (i) => samples[n - 1 - i][1]) : samples[k][1];
   });
-  const a1 = (2 * p[0] - 16 * p[1] + 16 * p[3] - 2 * p[4]) / 24;
-  const a2 = (-p[0] + 16 * p[1] - 30 * p[2] + 16 * p[3] - p[4]) / 24;
-  const a3 = (-9 * p[0] + 39 * p[1] - 70 * p[2] + 66 * p[3] - 33 * p[4] + 7 * p[5]) / 24;
-  const a4 = (13 * p[0] - 64 * p[1] + 126 * p[2] - 124 * p[3] + 61 * p[4] - 12 * p[5]) / 24;
-  const a5 = (-5 * p[0] + 25 * p[1] - 50 * p[2] + 50 * p[3] - 25 * p[4] + 5 * p[5]) / 24;
-  return p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5))));
+  return quintic(p, t);
 }

@@ -4,6 +4,8 @@
 // A table is 6 bytes (rule, columns, rows in two, zeros in front and behind), the order of the prediction and its
 // columns as one stream of bits. 16 numbers share a count of decimals and a parameter of the code.
 
+import { BEYOND, quintic } from './sprague.js';
+
 /** How a column becomes numbers. */
 export const RULES = { plain: 0, sample: 1, test: 2, copy: 3, lights: 4, daylight: 5 };
 
@@ -89,41 +91,33 @@ function numbers(rule, columns, before, behind, tables, published) {
   }
   if (rule === RULES.test) return Float32Array.from(nodes(columns));
   const whole = columns.map((values) => {
-    if (rule === RULES.sample) return quintic(values);
+    if (rule === RULES.sample) return everyNanometre(values);
     return [...Array(before).fill(0), ...values, ...Array(behind).fill(0)];
   });
   return Float32Array.from(whole.flat());
 }
 
 /** 5 nm to 1 nm as CIE 224 did it: Sprague's quintic, the ends held. */
-function quintic(v) {
+function everyNanometre(v) {
   const at = (i) => v[Math.min(Math.max(i, 0), v.length - 1)];
   const out = [];
   for (let i = 0; i <= 5 * (v.length - 1); i++) {
     const cell = Math.min(Math.floor(i / 5), v.length - 2),
       t = (i - 5 * cell) / 5;
     const p = [-2, -1, 0, 1, 2, 3].map((j) => at(cell + j));
-    const a1 = (2 * p[0] - 16 * p[1] + 16 * p[3] - 2 * p[4]) / 24;
-    const a2 = (-p[0] + 16 * p[1] - 30 * p[2] + 16 * p[3] - p[4]) / 24;
-    const a3 = (-9 * p[0] + 39 * p[1] - 70 * p[2] + 66 * p[3] - 33 * p[4] + 7 * p[5]) / 24;
-    const a4 = (13 * p[0] - 64 * p[1] + 126 * p[2] - 124 * p[3] + 61 * p[4] - 12 * p[5]) / 24;
-    const a5 = (-5 * p[0] + 25 * p[1] - 50 * p[2] + 50 * p[3] - 25 * p[4] + 5 * p[5]) / 24;
     // Nine decimals are published; beyond them is only the rounding of these sums.
-    out.push(Math.round((p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5))))) * 1e9) / 1e9);
+    out.push(Math.round(quintic(p, t) * 1e9) / 1e9);
   }
   return out;
 }
 
-/** A sample one step beyond an end and two, from the six inside, nearest first. */
-const BEYOND = [
-  [508, -540, 488, -367, 144, -24],
-  [884, -1960, 3033, -2648, 1080, -180],
-].map((weights) => weights.map((x) => Math.fround(x / 209)));
+/** Sprague's weights beyond the ends, in f32. */
+const OUTER = BEYOND.map((weights) => weights.map((x) => Math.fround(x / 209)));
 
 /** The 15 test colours and a white, node after node, two nodes beyond each end: as the crate sums them. */
 function nodes(columns) {
   const inside = columns.map((values) => values.map(Math.fround));
-  const beyond = (at) => BEYOND.map((weights) => weights.reduce((sum, x, i) => sum + x * at(i), 0));
+  const beyond = (at) => OUTER.map((weights) => weights.reduce((sum, x, i) => sum + x * at(i), 0));
   const whole = inside.map((v) => [...beyond((i) => v[i]).reverse(), ...v, ...beyond((i) => v[v.length - 1 - i])]);
   return whole[0].flatMap((_, node) => [...whole.map((column) => column[node]), 1]);
 }
@@ -222,10 +216,10 @@ function sprague(v, first) {
     for (let j = 0; j < 6; j++) {
       const k = cell + j;
       if (k < 2) {
-        const outer = BEYOND[k === 0 ? 1 : 0];
+        const outer = OUTER[k === 0 ? 1 : 0];
         for (let i = 0; i < 6; i++) w[i] = f(w[i] + f(q[j] * outer[i]));
       } else if (k - 2 >= n) {
-        const outer = BEYOND[k - 2 > n ? 1 : 0];
+        const outer = OUTER[k - 2 > n ? 1 : 0];
         for (let i = 0; i < 6; i++) w[5 - i] = f(w[5 - i] + f(q[j] * outer[i]));
       } else if (k - 2 - start < 6) w[k - 2 - start] = f(w[k - 2 - start] + q[j]);
     }

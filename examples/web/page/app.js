@@ -22,6 +22,7 @@ async function show(chosen, focus = false) {
     if (is && focus) button.focus();
     document.getElementById(name).hidden = !is;
   }
+  document.title = `nanospectra: ${document.getElementById(`tab-${chosen}`).textContent}`;
   remember({ tab: chosen });
   if (built.has(chosen)) return;
   built.add(chosen);
@@ -57,13 +58,14 @@ document.querySelector('[role=tablist]').addEventListener('keydown', (event) => 
 const theme = document.getElementById('theme'),
   dark = matchMedia('(prefers-color-scheme: dark)');
 function applyTheme() {
-  const chosen = state.theme ?? (dark.matches ? 'dark' : 'light');
+  const chosen = localStorage.getItem('theme') ?? (dark.matches ? 'dark' : 'light');
   document.documentElement.dataset.theme = chosen;
   theme.setAttribute('aria-pressed', chosen === 'dark');
 }
 theme.addEventListener('click', () => {
   const next = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
-  remember({ theme: next === (dark.matches ? 'dark' : 'light') ? undefined : next });
+  if (next === (dark.matches ? 'dark' : 'light')) localStorage.removeItem('theme');
+  else localStorage.setItem('theme', next);
   applyTheme();
 });
 dark.addEventListener('change', applyTheme);
@@ -83,7 +85,7 @@ document.getElementById('link').addEventListener('click', () => {
 
 try {
   await begin();
-  setEye(spectra.tables[0]);
+  setEye(spectra.published.eye);
   document.getElementById('build').textContent = spectra.simd
     ? 'Running with simd128.'
     : 'Running without simd128.';
@@ -92,3 +94,5 @@ try {
 }
 await show(state.tab);
 document.documentElement.dataset.ready = 'yes';
+// Then the rest, for when there is no network.
+navigator.serviceWorker?.register(`worker.js?${spectra?.simd ? 'simd' : ''}`).catch(() => {});

@@ -39,6 +39,7 @@ function errors(bands, scheme) {
   };
 }
 
+/** The lamps that are chosen, and every point of the plot under them. */
 function look() {
   const [, belongs] = KINDS[state.costlamp] ?? [null, (name) => name === state.costlamp];
   lamps = lampNames()
@@ -47,19 +48,37 @@ function look() {
       spectra.named(name, 'lamp');
       return under(spectra.curve.slice());
     });
-  sweep();
+  return sweep();
 }
 
-/** Every point of the plot. */
+let turn = 0;
+/** The scheme that is chosen at once; the others point by point, so that the page stays awake. */
 function sweep() {
-  results = SCHEMES.map((name, k) => ({ name, points: BANDS.map((N) => [N, errors(N, k)]) }));
+  const mine = ++turn,
+    first = Number(state.scheme);
+  results = SCHEMES.map((name) => ({ name, points: [] }));
+  const todo = [first, ...SCHEMES.keys()].flatMap((k, j) => (j && k === first ? [] : BANDS.map((N) => [N, k])));
+  const next = () => {
+    const [N, k] = todo.shift();
+    results[k].points.push([N, errors(N, k)]);
+  };
+  for (const _ of BANDS) next();
   work();
+  const later = () => {
+    if (mine !== turn) return;
+    next();
+    if (todo.length % BANDS.length === 0) work();
+    if (todo.length) setTimeout(later);
+  };
+  setTimeout(later);
 }
 
 function work() {
   const bands = Number(state.bands),
     scheme = Number(state.scheme);
-  const here = results[scheme].points.find(([N]) => N === bands)[1];
+  const found = results[scheme].points.find(([N]) => N === bands);
+  if (!found) return sweep();
+  const [, here] = found;
   view.bandsSaid.textContent = bands;
   view.slider.setAttribute('aria-valuetext', `${bands} bands`);
   const size = [view.plot.width(), 300];
@@ -130,13 +149,15 @@ export async function build(section) {
     rows: h('tbody'),
   };
   view.plot.element.classList.add('third');
+  const range = () => RANGES[state.range].join('..');
   const csv = () =>
     [
-      'bands,scheme,mean,p95,max',
+      'lamps,range_nm,bands,scheme,mean,p95,max',
       ...results.flatMap(({ name, points }) =>
-        points.map(([N, { mean, p95, max }]) => [N, name, mean, p95, max].join(',')),
+        points.map(([N, { mean, p95, max }]) => [state.costlamp, range(), N, name, mean, p95, max].join(',')),
       ),
     ].join('\n') + '\n';
+  const json = () => `${JSON.stringify({ lamps: state.costlamp, range_nm: range(), schemes: results })}\n`;
   section.append(
     h(
       'div',
@@ -237,7 +258,7 @@ export async function build(section) {
             h('button', { type: 'button', onclick: () => download('cost.csv', csv(), 'text/csv') }, 'CSV'),
             h(
               'button',
-              { type: 'button', onclick: () => download('cost.json', JSON.stringify(results), 'application/json') },
+              { type: 'button', onclick: () => download('cost.json', json(), 'application/json') },
               'JSON',
             ),
           ),

@@ -22,7 +22,7 @@ export function say(text) {
   clearTimeout(timer);
   timer = setTimeout(() => {
     status.textContent = '';
-  }, 2500);
+  }, 5000);
 }
 
 /** @param {string} text @param {string} what */
@@ -140,3 +140,10 @@ export const select = (label, list, chosen, onchange, id) =>
     label,
     h('select', { id, onchange: (event) => onchange(event.target.value) }, ...options(list, chosen)),
   );
+
+/** The crate's words, where they speak of options of the command line, in those of the page. @param {string} text */
+export const inPage = (text) =>
+  text
+    .replace('give W/m2/nm and --unit absolute', 'for W/m²/nm choose that unit')
+    .replace('use --interpolation linear', 'choose linear between samples')
+    .replace('--light: ', '');

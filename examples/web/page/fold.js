@@ -94,9 +94,9 @@ const hold = (end) => end;
  * not folded (3)
  */
 export function closely(spectra) {
-  const { wasm, out, tables } = spectra;
-  const eye = [0, 1, 2].map((c) => Array.from(tables[0].subarray(471 * c, 471 * (c + 1)))),
-    samples = Array.from({ length: 99 }, (_, k) => tables.at(-1).subarray(401 * k, 401 * (k + 1)));
+  const { wasm, out, published } = spectra;
+  const eye = [0, 1, 2].map((c) => Array.from(published.eye.subarray(471 * c, 471 * (c + 1)))),
+    samples = Array.from({ length: 99 }, (_, k) => published.samples.subarray(401 * k, 401 * (k + 1)));
   const labs = (rows, surfaces) => {
     const white = rows.map((row) => row.reduce((sum, weight) => sum + weight));
     return surfaces.map((surface) => {

@@ -1,6 +1,6 @@
 // The colorimeter: a spectrum from a file, a lamp or a hand, and every number about it.
 import { parse } from './nanospectra/csv.js';
-import { download, figure, h, onWidth, options, say, select } from './dom.js';
+import { download, figure, h, inPage, onWidth, options, say, select } from './dom.js';
 import { drawing, drawnSource, hand } from './drawing.js';
 import { prepare, show } from './reading.js';
 import { lampNames, remember, spectra, state } from './session.js';
@@ -51,7 +51,7 @@ async function attempt(work) {
     measure();
     view.failure.textContent = '';
   } catch (error) {
-    view.failure.textContent = error.message;
+    view.failure.textContent = inPage(error.message);
     if (good) {
       ({ sources, chosen } = good);
       remember(good.told);
@@ -119,7 +119,7 @@ function redraw() {
 const change = (key) => (value) => attempt(() => remember({ [key]: value }));
 
 /** The data as two columns, and all numbers. */
-const csv = () => ['nm,value', ...sources[chosen].samples.map((sample) => sample.join(','))].join('\n') + '\n';
+const csv = () => [`nm,"${sources[chosen].name.replaceAll('"', '""')}"`, ...sources[chosen].samples.map((sample) => sample.join(','))].join('\n') + '\n';
 const json = () => {
   const { curve, tm30, scale, ...report } = reading;
   return `${JSON.stringify(report)}\n`;

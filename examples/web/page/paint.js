@@ -227,6 +227,7 @@ export async function build(section) {
             h(
               'table',
               {},
+              h('caption', {}, 'The colour that each spectrum has under D65'),
               h(
                 'thead',
                 {},

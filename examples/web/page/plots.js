@@ -3,7 +3,7 @@ import { rgbOf, tint, uvOf, xyOf, xyOfUv } from './color.js';
 
 const n = (x) => Number(x.toFixed(2));
 const path = (points, close = false) =>
-  `M${points.map(([x, y]) => `${n(x)} ${n(y)}`).join('L')}${close ? 'Z' : ''}`;
+  points.length ? `M${points.map(([x, y]) => `${n(x)} ${n(y)}`).join('L')}${close ? 'Z' : ''}` : '';
 export const escape = (text) =>
   String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
@@ -150,10 +150,12 @@ function fill(diagram) {
 /**
  * A chromaticity diagram with its locus, gamuts, black bodies and points.
  * @param {'1931' | '1976'} diagram @param {[number, number][]} planck x, y @param {{xy: [number, number], name?: string}[]} points
+ * @param {[number, number]} size
  */
-export function chromaticity(diagram, planck, points) {
+export function chromaticity(diagram, planck, points, [width, height]) {
   const { to, x: xs, y: ys, names } = DIAGRAMS[diagram];
-  const { x, y, svg } = frame([44, 24, 408, 424], xs, ys, names, [1, 1]);
+  const [right, bottom] = [width - 12, height - 36];
+  const { x, y, svg } = frame([44, 24, right, bottom], xs, ys, names, [1, 1]);
   const at = (xy) => {
     const [a, b] = to(xy);
     return [x(a), y(b)];
@@ -163,7 +165,7 @@ export function chromaticity(diagram, planck, points) {
   const outline = path(locus, true);
   let drawn =
     `<clipPath id="locus-${diagram}"><path d="${outline}"/></clipPath>` +
-    `<image href="${fill(diagram)}" x="44" y="24" width="364" height="400" preserveAspectRatio="none" clip-path="url(#locus-${diagram})" opacity=".8"/>` +
+    `<image href="${fill(diagram)}" x="44" y="24" width="${right - 44}" height="${bottom - 24}" preserveAspectRatio="none" clip-path="url(#locus-${diagram})" opacity=".8"/>` +
     `<path class="ink" d="${outline}"/>`;
   for (const nm of [460, 480, 490, 500, 510, 520, 540, 560, 580, 600, 620, 700]) {
     const [px, py] = at(xyOf(nm)),
@@ -174,14 +176,16 @@ export function chromaticity(diagram, planck, points) {
     const inside = px + 16 * ux < 60;
     drawn +=
       `<path class="ink" d="M${n(px)} ${n(py)}l${n(5 * ux)} ${n(5 * uy)}"/><text ${inside ? 'fill="#000"' : 'class="label"'} ` +
-      `x="${n(px + (inside ? -14 : 16) * ux)}" y="${n(py + (inside ? -8 : 12) * uy + 4)}" text-anchor="middle" font-size="10">${nm}</text>`;
+      `x="${n(px + (inside ? -14 : 16) * ux)}" y="${n(py + (inside ? -8 : 12) * uy + 4)}" text-anchor="middle" font-size="11">${nm}</text>`;
   }
+  // Where the locus is not.
+  const legend = diagram === '1931' ? 48 : bottom - 72;
   let row = 0;
   for (const [name, primaries] of Object.entries(GAMUTS)) {
     const dash = ['', ' stroke-dasharray="5 3"', ' stroke-dasharray="2 2"'][row];
     drawn += `<path d="${path(primaries.map(at), true)}" fill="none" stroke="#000" stroke-opacity=".55"${dash}/>`;
-    const ly = 352 + 17 * row++;
-    drawn += `<path class="ink"${dash} d="M318 ${ly - 4}h26"/><text class="text" x="350" y="${ly}">${name}</text>`;
+    const ly = legend + 17 * row++;
+    drawn += `<path class="ink"${dash} d="M${right - 90} ${ly - 4}h26"/><text class="text" x="${right - 58}" y="${ly}">${name}</text>`;
   }
   drawn += `<path d="${path(planck.map(at))}" fill="none" stroke="#000" stroke-width="1.2"/>`;
   for (const { xy, name } of points) {

@@ -1,5 +1,5 @@
 // A reading of the colorimeter on the page: plots, numbers, notes.
-import { copy, h } from './dom.js';
+import { copy, h, inPage } from './dom.js';
 import { DRAWN, asSlider, hand } from './drawing.js';
 import { bars, chromaticity, spectrum as plot, vectors } from './plots.js';
 import { spectra, state } from './session.js';
@@ -42,7 +42,7 @@ function blackBodies() {
 /** The test colour samples under D65. */
 function sampleColors() {
   // Every 5 nm 15 samples and a white, from two nodes in front of 360 nm on.
-  const table = spectra.tables.at(-4);
+  const table = spectra.published.testColors;
   spectra.named('D65', '');
   spectra.light.set(spectra.curve);
   return Array.from({ length: 15 }, (_, k) => {
@@ -86,9 +86,12 @@ export function show(view, source, reading) {
   const { xy } = reading;
   for (const [diagram, drawing] of Object.entries(view.diagrams)) {
     drawing.element.hidden = state.diagram !== diagram && !matchMedia('(min-width: 62rem)').matches;
+    const width = drawing.width(),
+      size = [width, Math.round((width * 46) / 42)];
     drawing.draw(
-      chromaticity(diagram, planck, xy ? [{ xy }] : []),
+      chromaticity(diagram, planck, xy ? [{ xy }] : [], size),
       xy ? `the point is at x = ${xy[0].toFixed(4)}, y = ${xy[1].toFixed(4)}` : 'no chromaticity',
+      size,
     );
   }
   view.cri.element.hidden = reading.cri_r === null;
@@ -163,7 +166,7 @@ function tell(view, reading) {
   );
   const notes = new Map();
   for (const note of reading.notes) {
-    const [, key, words] = /^(\w+): (.*)$/s.exec(note);
+    const [, key, words] = /^(\w+): (.*)$/s.exec(inPage(note));
     notes.set(words, [...(notes.get(words) ?? []), key]);
   }
   view.notes.replaceChildren(...[...notes].map(([words, keys]) => h('li', {}, `${keys.join(', ')}: ${words}`)));

@@ -221,7 +221,7 @@ export async function build(section) {
                 h(
                   'tr',
                   {},
-                  ...['effect', 'without it, dE', '', 'multiply-adds', 'bytes'].map((name, k) =>
+                  ...['effect', 'without it, dE', 'colour', 'multiply-adds', 'bytes'].map((name, k) =>
                     h('th', { scope: 'col', class: k % 2 || k > 3 ? 'n' : '' }, name),
                   ),
                 ),
@@ -252,7 +252,7 @@ export async function build(section) {
           'div',
           { class: 'card' },
           h('h2', {}, 'Numbers'),
-          h('div', { class: 'wide' }, h('table', {}, view.numbers)),
+          h('div', { class: 'wide' }, h('table', {}, h('caption', {}, 'Of what reaches the eye, as switched'), view.numbers)),
           h(
             'div',
             { class: 'export', style: 'margin-top:.75rem' },

@@ -4,7 +4,6 @@ import { load } from './nanospectra/nanospectra.js';
 /** What a link may say; whatever else it says counts for nothing. */
 const POSSIBLE = {
   tab: /^(light|paint|scene|cost)$/,
-  theme: /^(light|dark)$/,
   lamp: /./,
   drawn: /^(\d\d?|100)(,(\d\d?|100)){40}$/,
   data: /./,

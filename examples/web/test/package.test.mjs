@@ -368,6 +368,8 @@ test('samples that are no spectrum are an Error with the words of the crate', ()
     () => scene.scene({ lamp: { cie: 'moon' }, part: [{ filter: { flat: 0.5 } }] }).answer(),
     /is no CIE illuminant/,
   );
+  assert.throws(() => light.lab([1, NaN, 1], [95, 100, 108]), /not finite/);
+  assert.throws(() => paint.upsample([0, 0, 0], { beyond: 'x' }), /beyond = x; use nearest, desaturate/);
   assert.throws(() => light.batch(513), /512 have room/);
 });
 

@@ -322,6 +322,12 @@ check('tabs and theme work by keyboard', async () => {
   const was = await theme();
   await page.value("document.querySelector('#theme').click()");
   assert.notEqual(await theme(), was);
+  // It is the reader's: it stays, and the link says nothing of it.
+  await page.open(`${root}?again`);
+  assert.notEqual(await theme(), was);
+  assert.doesNotMatch(await page.value('location.hash'), /theme/);
+  await page.value("document.querySelector('#theme').click()");
+  assert.equal(await theme(), was);
 });
 
 check('whatever can be used has a name, every plot a text, and no identifier is there twice', async () => {
@@ -395,6 +401,24 @@ check('to measure a spectrum a browser fetches less than 60 KB, compressed, and 
   assert.ok(paths.some((path) => path.includes('light.simd.wasm')), `${paths}`);
   assert.ok(!paths.some((path) => /paint|scene|cost/.test(path)), `${paths}`);
   allowed('first-tab.br', total);
+});
+
+check('without a network there is still all of the page', async () => {
+  await page.open(root);
+  await page.until("navigator.serviceWorker.controller && navigator.serviceWorker.controller.state === 'activated'");
+  server.closeAllConnections();
+  await new Promise((done) => server.close(done));
+  try {
+    for (const tab of ['light', 'paint', 'scene', 'cost']) {
+      await page.open(`${root}?${tab}#tab=${tab}`);
+      assert.ok(await page.value(`document.querySelectorAll('#${tab} .card').length > 2`), tab);
+      assert.equal(await page.value("document.querySelector('.failure:not(:empty)')"), null, tab);
+    }
+  } finally {
+    server = await serve(folder, Number(new URL(root).port));
+  }
+  // Whatever failed was meant to.
+  page.errors.length = 0;
 });
 
 check('nothing is asked of any other place, and it fits a phone', async () => {

@@ -109,6 +109,8 @@ async function bundle() {
     target: 'es2022',
     legalComments: 'none',
     logLevel: 'error',
+    // The page has no use for these modules.
+    external: ['./core.js', './bands.js'],
     chunkNames: '[name]-[hash]',
     outdir: here('dist/page'),
   }).outputFiles;
@@ -160,6 +162,11 @@ export async function build() {
     else if (/\.d\.ts$|README|LICENSE|package\.json|core\.(js|wasm|simd)|bands\./.test(file)) rmSync(path);
   }
   await bundle();
+  const files = readdirSync(here('dist/page'), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && entry.name !== 'worker.js')
+    .map((entry) => `${entry.parentPath ?? entry.path}/${entry.name}`.slice(here('dist/page/').length));
+  const worker = readFileSync(here('page/worker.js'), 'utf8');
+  writeFileSync(here('dist/page/worker.js'), `const FILES=${JSON.stringify(['./', ...files])};\n${lean(worker)}`);
   return sizes;
 }
 
