@@ -87,21 +87,26 @@ struct Locus<'a> {
 }
 
 impl Locus<'_> {
-    /// Nodes as (nm, vector from the white), where the eye sees anything.
+    /// A node as (nm, vector from the white), where the eye sees anything.
+    fn node(&self, k: usize) -> Option<(f32, [f32; 2])> {
+        let [Some(x), Some(y), Some(z)] = self.eye.weights().each_ref().map(|row| row.get(k)) else {
+            return None;
+        };
+        let xy = Xyz::new(*x, *y, *z).xy()?;
+        Some((360.0 + k as f32, [xy.x - self.white.x, xy.y - self.white.y]))
+    }
+
     fn nodes(&self) -> impl DoubleEndedIterator<Item = (f32, [f32; 2])> {
-        let [x, y, z] = self.eye.weights();
-        let xyz = x.iter().zip(y).zip(z).enumerate();
-        xyz.filter_map(|(k, ((x, y), z))| {
-            let xy = Xyz::new(*x, *y, *z).xy()?;
-            Some((360.0 + k as f32, [xy.x - self.white.x, xy.y - self.white.y]))
-        })
+        (0..471).filter_map(|k| self.node(k))
     }
 
     /// Where the ray leaves through the locus: the wavelength, and the cut's distance from the white times the
     /// ray's length. Of several cuts the outermost.
     fn cut(&self, ray: [f32; 2]) -> Option<(f32, f32)> {
         let mut found: Option<(f32, f32)> = None;
-        for (a, b) in self.nodes().zip(self.nodes().skip(1)) {
+        let mut before = None;
+        for b in self.nodes() {
+            let Some(a) = before.replace(b) else { continue };
             let (from, to) = (cross(ray, a.1), cross(ray, b.1));
             if (from < 0.0) == (to < 0.0) {
                 continue;
@@ -109,8 +114,8 @@ impl Locus<'_> {
             let t = from / (from - to);
             let reach = dot(ray, a.1) + t * (dot(ray, b.1) - dot(ray, a.1));
             let nm = a.0 + t * (b.0 - a.0);
-            let (before, outermost) = found.unwrap_or((nm, 0.0));
-            let nearer = (nm - MIDDLE_NM).abs() < (before - MIDDLE_NM).abs();
+            let (known, outermost) = found.unwrap_or((nm, 0.0));
+            let nearer = (nm - MIDDLE_NM).abs() < (known - MIDDLE_NM).abs();
             if reach * SAME_CUT > outermost || (nearer && reach > outermost * SAME_CUT) {
                 found = Some((nm, reach));
             }

@@ -134,8 +134,8 @@ impl Judge {
     /// The samples are tabulated over 380..=780 nm, the middle of the eye's grid.
     fn looks_at(&self, sample: &[f32; 401]) -> Cam02Ucs {
         let mut fine = Fine::flat(0.0);
-        for (value, sample) in fine.values_mut().iter_mut().skip(20).zip(sample) {
-            *value = *sample;
+        if let Some(middle) = fine.values_mut().get_mut(20..).and_then(|rest| rest.first_chunk_mut()) {
+            *middle = *sample;
         }
         self.viewing.appearance(Xyz::from(self.eye.sees(&fine)))
     }
@@ -178,11 +178,12 @@ impl Bin {
 
 /// Area of the polygon of the bins' mean colours; a bin without samples has no corner.
 fn area(bins: &[Bin; 16], colour: fn(&Bin) -> [f32; 2]) -> f32 {
-    let corners = || {
-        bins.iter().filter(|bin| bin.count > 0).map(move |bin| {
-            let [a, b] = colour(bin);
-            [a / f32::from(bin.count), b / f32::from(bin.count)]
-        })
-    };
-    corners().zip(corners().cycle().skip(1)).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f32>() / 2.0
+    let mut corners = bins.iter().filter(|bin| bin.count > 0).map(|bin| {
+        let [a, b] = colour(bin);
+        [a / f32::from(bin.count), b / f32::from(bin.count)]
+    });
+    let Some(first) = corners.next() else { return 0.0 };
+    let piece = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
+    let (last, sum) = corners.fold((first, 0.0), |(p, sum), q| (q, sum + piece(p, q)));
+    (sum + piece(last, first)) / 2.0
 }
