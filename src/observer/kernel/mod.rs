@@ -5,47 +5,27 @@
 //! left to the compiler or to the width of its vectors. Multiplication and addition are rounded
 //! apart (no fused multiply-add), for the same reason.
 //!
-//! Five ways to do the same additions: `scalar` for cores without vectors, `wasm` for WebAssembly without them, `x86`
-//! with the vectors of x86-64, and elsewhere `vector` with the `wide` crate or `lanes` for what the compiler vectorises.
+//! Five ways to do the same additions: `scalar` for cores without vectors, `x86` with the vectors of x86-64, elsewhere
+//! `vector` with the `wide` crate, and without it `wasm` for WebAssembly or `lanes` for what the compiler vectorises.
 
-#[cfg(not(any(
-    feature = "simd",
-    target_arch = "x86_64",
-    all(target_arch = "wasm32", not(target_feature = "simd128")),
-    target_os = "none"
-)))]
+#[cfg(not(any(feature = "simd", target_arch = "x86_64", target_arch = "wasm32", target_os = "none")))]
 mod lanes;
 #[cfg(target_os = "none")]
 mod scalar;
 #[cfg(all(feature = "simd", not(target_arch = "x86_64"), not(target_os = "none")))]
 mod vector;
-#[cfg(all(
-    not(feature = "simd"),
-    target_arch = "wasm32",
-    not(target_feature = "simd128"),
-    not(target_os = "none")
-))]
+#[cfg(all(not(feature = "simd"), target_arch = "wasm32", not(target_os = "none")))]
 mod wasm;
 #[cfg(all(target_arch = "x86_64", not(target_os = "none")))]
 mod x86;
 
-#[cfg(not(any(
-    feature = "simd",
-    target_arch = "x86_64",
-    all(target_arch = "wasm32", not(target_feature = "simd128")),
-    target_os = "none"
-)))]
+#[cfg(not(any(feature = "simd", target_arch = "x86_64", target_arch = "wasm32", target_os = "none")))]
 pub(crate) use lanes::rows;
 #[cfg(target_os = "none")]
 pub(crate) use scalar::rows;
 #[cfg(all(feature = "simd", not(target_arch = "x86_64"), not(target_os = "none")))]
 pub(crate) use vector::rows;
-#[cfg(all(
-    not(feature = "simd"),
-    target_arch = "wasm32",
-    not(target_feature = "simd128"),
-    not(target_os = "none")
-))]
+#[cfg(all(not(feature = "simd"), target_arch = "wasm32", not(target_os = "none")))]
 pub(crate) use wasm::rows;
 #[cfg(all(target_arch = "x86_64", target_feature = "avx", not(target_os = "none")))]
 pub(crate) use x86::each;
