@@ -70,7 +70,8 @@ impl Uv1960 {
     /// assert_eq!(Xy::new(0.15, 0.70).uv1960().cct(), Cct::OffLocus); // a green
     /// ```
     #[must_use]
-    #[inline]
+    #[cfg_attr(not(target_arch = "wasm32"), inline)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn cct(self) -> Cct {
         // The knots' normals do not cross where a temperature is defined: halve.
         let (mut segment, mut left) = (0, SEGMENTS);

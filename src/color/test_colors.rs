@@ -54,36 +54,29 @@ const SHARES: [[f32; 6]; 4] = [quintic(0.2), quintic(0.4), quintic(0.6), quintic
 
 /// The colours under a light.
 pub(super) fn under(light: &Fine<Power>) -> Colors {
-    let nodes = CIE_1931.weights().each_ref().map(|row| on_nodes(light.values(), row));
-    let [xs, ys, zs] = &nodes;
-    let [mut x, mut y, mut z] = [[0.0; 16]; 3];
-    for (sample, (at_x, (at_y, at_z))) in SAMPLES.iter().zip(xs.iter().zip(ys.iter().zip(zs))) {
-        add(&mut x, *at_x, sample);
-        add(&mut y, *at_y, sample);
-        add(&mut z, *at_z, sample);
+    let mut colors = [[0.0; 16]; 3];
+    for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {
+        for (sample, at) in SAMPLES.iter().zip(&on_nodes(light.values(), row)) {
+            add(sums, *at, sample);
+        }
     }
-    [x, y, z]
+    colors
 }
 
 /// What a product of each nanometre comes to on the nodes (and nothing on five more).
 fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
-    // By nanometres after a node, behind five zeros.
-    let mut after = [[0.0; 112]; 5];
-    let cells = light.chunks(5).zip(row.chunks(5));
-    for (cell, (light, row)) in cells.enumerate() {
-        for (after, (light, row)) in after.iter_mut().zip(light.iter().zip(row)) {
-            if let Some(product) = after.get_mut(cell + 5) {
-                *product = light * row;
-            }
-        }
+    // From node to node, behind five cells of zeros.
+    let mut cells = [[0.0; 5]; 112];
+    let [_, _, _, _, _, inside @ ..] = &mut cells;
+    for (product, (light, row)) in inside.as_flattened_mut().iter_mut().zip(light.iter().zip(row)) {
+        *product = light * row;
     }
-    let [whole, between @ ..] = &after;
     let mut nodes = [0.0; 104];
     for (k, node) in nodes.iter_mut().enumerate() {
-        let mut sum = whole[k + 3];
-        for (between, shares) in between.iter().zip(&SHARES) {
+        let mut sum = cells[k + 3][0];
+        for (nm, shares) in SHARES.iter().enumerate() {
             for (i, share) in shares.iter().enumerate() {
-                sum += share * between[k + 5 - i];
+                sum += share * cells[k + 5 - i][nm + 1];
             }
         }
         *node = sum;
@@ -115,7 +108,7 @@ fn chebyshev(x: f32) -> [f32; TERMS] {
     })
 }
 
-fn mixed<const M: usize>(shares: &[f32; M], parts: &[Colors; M]) -> Colors {
+fn mixed(shares: &[f32], parts: &[Colors]) -> Colors {
     let mut sum = [[0.0; 16]; 3];
     for (share, part) in shares.iter().zip(parts).rev() {
         for (sum, part) in sum.iter_mut().zip(part) {

@@ -1,6 +1,6 @@
 //! What a light is good for: rendering, efficacy, clocks, plants; and the pure colour that it resembles.
 
-use crate::board::board;
+use crate::board::{Board, board, put};
 use crate::fixed::Fixed;
 use crate::measure::{at, eye};
 use nanospectra::color::{Cri, RenderingError, Tm30, Xy, cri, dominant_wavelength, tm30};
@@ -42,12 +42,11 @@ fn reason(error: RenderingError) -> u32 {
     }
 }
 
-fn put_cri(light: &Fine<Power>, out: &mut [f32]) -> u32 {
+fn put_cri(light: &Fine<Power>, out: &mut [f32; 17]) -> u32 {
     match cri(light) {
         Ok(Cri { ra, r, dc, .. }) => {
-            for (slot, value) in out.iter_mut().zip([ra, dc].into_iter().chain(r)) {
-                *slot = value;
-            }
+            let [out_ra, out_dc, out_r @ ..] = out;
+            (*out_ra, *out_dc, *out_r) = (ra, dc, r);
             0
         }
         Err(error) => reason(error),
@@ -57,8 +56,8 @@ fn put_cri(light: &Fine<Power>, out: &mut [f32]) -> u32 {
 /// Into `out`: Ra, the distance to the reference, R1..R15. Gives 0 or the reason why there are none.
 #[unsafe(no_mangle)]
 extern "C" fn rendering() -> u32 {
-    let board = board();
-    put_cri(&board.curve, &mut board.out)
+    let Board { curve, out, .. } = board();
+    out.first_chunk_mut().map_or(0, |out| put_cri(curve, out))
 }
 
 /// Into `out`: Rf, Rg; of each hue bin Rf, chroma shift, hue shift and the number of samples (16 times 4); Rf
@@ -68,13 +67,16 @@ extern "C" fn fidelity() -> u32 {
     let board = board();
     match tm30(&board.curve) {
         Ok(Tm30 { rf, rg, rf_ces, bins, .. }) => {
-            let bins = bins.into_iter().flat_map(|bin| match bin {
-                Some(bin) => [bin.rf, bin.chroma_shift, bin.hue_shift, f32::from(bin.count)],
-                None => [f32::NAN, f32::NAN, f32::NAN, 0.0],
-            });
-            for (slot, value) in board.out.iter_mut().zip([rf, rg].into_iter().chain(bins).chain(rf_ces)) {
-                *slot = value;
+            let out = &mut board.out;
+            put(out, 0, [rf, rg]);
+            for (k, bin) in bins.iter().enumerate() {
+                let values = match bin {
+                    Some(bin) => [bin.rf, bin.chroma_shift, bin.hue_shift, f32::from(bin.count)],
+                    None => [f32::NAN, f32::NAN, f32::NAN, 0.0],
+                };
+                put(out, 2 + 4 * k, values);
             }
+            put(out, 2 + 4 * 16, rf_ces);
             0
         }
         Err(error) => reason(error),
@@ -115,10 +117,10 @@ extern "C" fn batch_results() -> *mut [f32; 20] {
 extern "C" fn measure_batch(count: u32) {
     let Batch { lights, results } = BATCHES.get();
     for (light, result) in lights.iter().zip(results).take(count as usize) {
-        let (xyz, rest) = result.split_at_mut(3);
-        xyz.copy_from_slice(&eye(0).sees(light));
+        let [x, y, z, rest @ ..] = result;
+        [*x, *y, *z] = eye(0).sees(light);
         if put_cri(light, rest) != 0 {
-            rest.fill(f32::NAN);
+            *rest = [f32::NAN; 17];
         }
     }
 }
