@@ -5,7 +5,7 @@ use crate::display::displayed;
 use crate::fixed::Fixed;
 use nanospectra::color::{Lab, Xy, Xyz};
 use nanospectra::math::Portable;
-use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polariser, Retarder, ThinFilm};
+use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polariser, Retarder, Shares, ThinFilm};
 use nanospectra::observer::{CIE_1931, CIE_1964};
 use nanospectra::path::{Part, Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
@@ -150,12 +150,14 @@ extern "C" fn scene_dye(reflectance: u32, absorption: u32, emission: u32, quantu
 #[unsafe(no_mangle)]
 extern "C" fn scene_film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmitted: u32) -> u32 {
     let share = |thickness_nm| {
-        // One function for both, as large as it is.
-        let [s, p] =
-            ThinFilm::new([before, n, behind], thickness_nm).bins_with::<Portable, N, Grid>(cos, |shares| {
-                if transmitted == 0 { shares.reflected } else { shares.transmitted }
-            });
-        (s + p) * 0.5
+        let film = ThinFilm::new([before, n, behind], thickness_nm);
+        let mut shares = [0.0; N];
+        for (k, share) in shares.iter_mut().enumerate() {
+            let [low_nm, high_nm] = [k, k + 1].map(Reflectance::<N, Grid>::edge_nm);
+            let mean = Shares::mean(film.between_with::<Portable>(low_nm, high_nm, cos));
+            *share = if transmitted == 0 { mean.reflected } else { mean.transmitted };
+        }
+        Spectrum::from_bins(shares)
     };
     add(What::Plain { factors: share(nm), matt: false }, share(f32::INFINITY))
 }
@@ -218,7 +220,7 @@ impl Viewing {
         // A step of an 8-bit code is 3e-4 or more.
         let clipped = rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part));
         let nan = f32::NAN;
-        let lab = seen.lab(white).unwrap_or(Lab::new(nan, nan, nan));
+        let lab = seen.lab_with::<Portable>(white).unwrap_or(Lab::new(nan, nan, nan));
         let xy = seen.xy().unwrap_or(Xy::new(nan, nan));
         let Xyz { x, y, z } = seen.scaled(100.0);
         [x, y, z, xy.x, xy.y, lab.l, lab.a, lab.b, r, g, b, f32::from(u8::from(clipped))]
