@@ -170,12 +170,13 @@ impl Faces {
     pub(super) fn averaged<M: Math>(&self, edges: &[Edge; 2], width_nm: f32) -> Shares {
         use core::f32::consts::PI;
         let [q, _] = self.round_trip();
-        let [one, other] = edges.each_ref().map(|edge| {
+        let up_to = |edge: &Edge| {
             let [g, h] = edge.integrals::<M>(q);
             g / (2.0 * PI * edge.slope) + h / (2.0 * PI * PI * edge.nm * edge.slope * edge.slope)
-        });
+        };
+        let [low, high] = edges;
         // T over its mean is 1 + 2 sum(q^m cos(m delta)): what is beyond 1.
-        let fringes = (one - other) / width_nm;
+        let fringes = (up_to(low) - up_to(high)) / width_nm;
         let mean = self.incoherent();
         Shares {
             reflected: mean.reflected - mean.transmitted * fringes,

@@ -81,12 +81,12 @@ impl<I: FilmIndices> ThinFilm<I> {
     #[must_use]
     pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
         let Some(tilted) = self.tilted(nm, cos_theta) else { return [Shares::NAN; 2] };
-        let Some(faces) = tilted.faces() else { return [Shares::MIRROR; 2] };
+        let Some([s, p]) = tilted.faces() else { return [Shares::MIRROR; 2] };
         if self.is_plate(&tilted, nm) {
-            return faces.map(|face| face.incoherent());
+            return [s.incoherent(), p.incoherent()];
         }
         let crossing = tilted.crossing::<M>(self.turns(&tilted, nm), nm, self.thickness_nm);
-        faces.map(|face| face.coherent(tilted.fades, crossing))
+        [s.coherent(tilted.fades, crossing), p.coherent(tilted.fades, crossing)]
     }
 
     /// By how much a beam that went to and fro in the film lags behind the one before: the fraction of a turn,
@@ -170,14 +170,14 @@ impl<I: FilmIndices> ThinFilm<I> {
             return [Shares::NAN; 2];
         };
         let mut panels = 1;
-        if let Some(faces) = middle.faces()
+        if let Some([s, p]) = middle.faces()
             && cos_theta > 0.0
             && !(low.fades || middle.fades || high.fades)
         {
             if self.is_plate(&low, low_nm) {
-                return faces.map(|face| face.incoherent());
+                return [s.incoherent(), p.incoherent()];
             }
-            let [from, to] = [(&low, low_nm), (&high, high_nm)].map(|(tilted, nm)| self.turns(tilted, nm));
+            let (from, to) = (self.turns(&low, low_nm), self.turns(&high, high_nm));
             // Half the range of the phase, in radians.
             let reach = core::f32::consts::PI * from.minus(to).high.abs();
             // A film whose index varies has other fringes: d(n cos) / d lambda.
@@ -189,9 +189,9 @@ impl<I: FilmIndices> ThinFilm<I> {
                     Edge { nm: low_nm, turns: from, slope: steep },
                     Edge { nm: high_nm, turns: to, slope: flat },
                 ];
-                return faces.map(|face| face.averaged::<M>(&edges, width));
+                return [s.averaged::<M>(&edges, width), p.averaged::<M>(&edges, width)];
             }
-            let sharpest = faces.iter().fold(1.0, |least: f32, face| least.min(face.round_trip()[1]));
+            let sharpest = 1.0_f32.min(s.round_trip()[1]).min(p.round_trip()[1]);
             panels += ((4.0 * reach / sharpest) as u32).min(255);
         }
         Shares::averaged(low_nm, high_nm, panels, |nm| self.at_with::<M>(nm, cos_theta))
