@@ -64,16 +64,16 @@ impl Shares {
     ) -> [Self; 2] {
         const ZERO: Shares = Shares { reflected: 0.0, transmitted: 0.0, absorbed: 0.0 };
         let width = (high_nm - low_nm) / panels as f32;
-        let mut sum = [ZERO; 2];
+        let [mut s, mut p] = [ZERO; 2];
         for panel in 0..panels {
             for (place, weight) in &GAUSS {
                 let nm = low_nm + (panel as f32 + place) * width;
-                for (sum, shares) in sum.iter_mut().zip(at(nm)) {
-                    *sum = sum.plus(shares.times(*weight));
-                }
+                let [at_s, at_p] = at(nm);
+                (s, p) = (s.plus(at_s.times(*weight)), p.plus(at_p.times(*weight)));
             }
         }
-        sum.map(|sum| sum.times(1.0 / panels as f32).held())
+        let mean = |sum: Self| sum.times(1.0 / panels as f32).held();
+        [mean(s), mean(p)]
     }
 }
 
