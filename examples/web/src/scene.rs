@@ -153,7 +153,8 @@ extern "C" fn scene_film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, tr
         let film = ThinFilm::new([before, n, behind], thickness_nm);
         let mut shares = [0.0; N];
         for (k, share) in shares.iter_mut().enumerate() {
-            let [low_nm, high_nm] = [k, k + 1].map(Reflectance::<N, Grid>::edge_nm);
+            let edge_nm = Reflectance::<N, Grid>::edge_nm;
+            let (low_nm, high_nm) = (edge_nm(k), edge_nm(k + 1));
             let mean = Shares::mean(film.between_with::<Portable>(low_nm, high_nm, cos));
             *share = if transmitted == 0 { mean.reflected } else { mean.transmitted };
         }
@@ -171,8 +172,8 @@ extern "C" fn scene_mirror(n: f32, k: f32, cos: f32, axis_turns: f32) -> u32 {
 /// A polariser with these transmittances along its axis and across.
 #[unsafe(no_mangle)]
 extern "C" fn scene_polariser(along: f32, across: f32, axis_turns: f32) -> u32 {
-    let [along, across] = [along, across].map(Reflectance::flat);
-    add(What::Polariser(Polariser::new(&along, &across, axis_turns)), CLEAR)
+    let polariser = Polariser::new(&Reflectance::flat(along), &Reflectance::flat(across), axis_turns);
+    add(What::Polariser(polariser), CLEAR)
 }
 
 /// A wave plate of this path difference in nm.
@@ -214,8 +215,9 @@ struct Viewing {
 impl Viewing {
     /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB, clipped.
     fn look(&self, light: &Light<N, Grid>) -> [f32; 12] {
-        let [seen, white] =
-            [Xyz::from(self.eye.sees(light)), self.white].map(|xyz| xyz.scaled(1.0 / self.white.y));
+        let scale = 1.0 / self.white.y;
+        let seen = Xyz::from(self.eye.sees(light)).scaled(scale);
+        let white = self.white.scaled(scale);
         let (rgb, [r, g, b]) = displayed(seen, white);
         // A step of an 8-bit code is 3e-4 or more.
         let clipped = rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part));

@@ -58,7 +58,7 @@ impl<const N: usize> Beam<N> {
 
     /// Behind what polarises.
     fn turned<G>(self, element: &Mueller<N, G>) -> Self {
-        let mut turned = [[f32::NAN; 4]; N];
+        let mut turned = [[0.0; 4]; N];
         match self {
             Beam::Plain(light) => {
                 for (k, (out, value)) in turned.iter_mut().zip(&light).enumerate() {
