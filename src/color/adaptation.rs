@@ -100,12 +100,14 @@ impl Adaptation {
         let a = apply(&cones, from.with_y(1.0)?.to_array());
         let b = apply(&cones, to.with_y(1.0)?.to_array());
         let mut scaled = cones;
-        for ((row, a), b) in scaled.iter_mut().zip(a).zip(b) {
-            if a <= 0.0 || b <= 0.0 {
+        for (row, (a, b)) in scaled.iter_mut().zip(a.iter().zip(&b)) {
+            if *a <= 0.0 || *b <= 0.0 {
                 return None;
             }
             let gain = degree * (b / a) + (1.0 - degree);
-            *row = row.map(|m| gain * m);
+            for m in row {
+                *m *= gain;
+            }
         }
         let [l, m, s] = scaled;
         Some(Adaptation(back.map(|[p, q, r]| {

@@ -7,5 +7,6 @@ use nanospectra::color::{Adaptation, Cat16, Rgb, RgbSpace, Srgb, Xyz};
 pub fn displayed(seen: Xyz, white: Xyz) -> (Rgb<Srgb>, [f32; 3]) {
     let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ);
     let rgb = Rgb::from_xyz(adaptation.map_or(seen, |adaptation| adaptation.apply(seen)));
-    (rgb, rgb.clip().rgb.encode().to_u8().map(f32::from))
+    let [r, g, b] = rgb.clip().rgb.encode().to_u8();
+    (rgb, [f32::from(r), f32::from(g), f32::from(b)])
 }
