@@ -169,8 +169,8 @@ impl<const N: usize, G> Mirror<N, G> {
             let most = if power.p > power.s { power.p } else { power.s };
             let scale = if most > 1.0 { 1.0 / most } else { 1.0 };
             // Along the unfolded path s and p agree at right angles, where Fresnel's p is turned round.
-            let own = [0.5 * (power.s + power.p), 0.5 * (power.s - power.p), -turned.re, -turned.im];
-            *element = own.map(|value| scale * value);
+            let (a, b) = (0.5 * (power.s + power.p), 0.5 * (power.s - power.p));
+            *element = [scale * a, scale * b, scale * -turned.re, scale * -turned.im];
         }
         Mirror(Mueller::new(elements, s_axis_turns))
     }

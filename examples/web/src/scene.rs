@@ -80,8 +80,8 @@ fn add(what: What, without: Reflectance<N, Grid>) -> u32 {
     0
 }
 
-fn factors(samples: &[(f32, f32)]) -> Result<Reflectance<N, Grid>, u32> {
-    Spectrum::from_samples(samples, Outside::Hold).map_err(code)
+fn factors(samples: &[(f32, f32)], outside: Outside) -> Result<Reflectance<N, Grid>, u32> {
+    Spectrum::from_samples(samples, outside).map_err(code)
 }
 
 /// An empty scene.
@@ -93,7 +93,7 @@ extern "C" fn scene_clear() {
 /// A filter, or with `matt` a surface, of the samples. Gives 0 or an error's code, as all of these.
 #[unsafe(no_mangle)]
 extern "C" fn scene_factors(count: u32, matt: u32) -> u32 {
-    match factors(given(&board().samples, count)) {
+    match factors(given(&board().samples, count), Outside::Hold) {
         Ok(factors) => add(What::Plain { factors, matt: matt != 0 }, CLEAR),
         Err(code) => code,
     }
@@ -102,7 +102,7 @@ extern "C" fn scene_factors(count: u32, matt: u32) -> u32 {
 /// A filter of absorbances for each cm, or with `matt` a surface behind such a layer. Gives 6 for what is none.
 #[unsafe(no_mangle)]
 extern "C" fn scene_absorber(count: u32, path_m: f32, matt: u32) -> u32 {
-    let absorbance = match factors(given(&board().samples, count)) {
+    let absorbance = match factors(given(&board().samples, count), Outside::Hold) {
         Ok(absorbance) => absorbance,
         Err(code) => return code,
     };
@@ -120,18 +120,16 @@ extern "C" fn scene_dye(reflectance: u32, absorption: u32, emission: u32, quantu
     let (first, rest) = samples.split_at((reflectance as usize).min(samples.len()));
     let (second, rest) = rest.split_at((absorption as usize).min(rest.len()));
     let third = rest.get(..emission as usize).unwrap_or(rest);
-    let (reflects, absorbs) = match (factors(first), factors(second)) {
-        (Ok(reflects), Ok(absorbs)) => (reflects, absorbs),
-        (Err(code), _) | (_, Err(code)) => return code,
-    };
-    let emits: Light<N, Grid> = match Spectrum::from_samples(third, Outside::Zero) {
-        Ok(emits) => emits,
-        Err(error) => return code(error),
+    let spectra =
+        (factors(first, Outside::Hold), factors(second, Outside::Hold), factors(third, Outside::Zero));
+    let (reflects, absorbs, emits) = match spectra {
+        (Ok(reflects), Ok(absorbs), Ok(emits)) => (reflects, absorbs, Light::from_bins(*emits.values())),
+        (Err(code), ..) | (_, Err(code), _) | (.., Err(code)) => return code,
     };
     match Dye::new(&reflects, &absorbs, &emits, quantum_yield) {
         Ok(dye) => add(What::Dye(dye), CLEAR),
         Err(error) => {
-            let (kind, bins) = match error {
+            let (kind, [from, to]) = match error {
                 FluorescenceError::OutOfRange { bin } => (0, [bin, 0]),
                 FluorescenceError::AntiStokes { from, to } => (1, [from, to]),
                 FluorescenceError::QuantumYield => (2, [0, 0]),
@@ -139,7 +137,7 @@ extern "C" fn scene_dye(reflectance: u32, absorption: u32, emission: u32, quantu
                 FluorescenceError::Energy { bin } => (4, [bin, 0]),
                 _ => (5, [0, 0]),
             };
-            out[..2].copy_from_slice(&bins.map(|bin| bin as f32));
+            put(out, 0, [from as f32, to as f32]);
             // (Above any error of samples: those count to 8 * 4096.)
             (1 << 16) + kind
         }
