@@ -283,7 +283,7 @@ fn some<const L: usize, const N: usize>(rows: &Rows<N>, [q0, q1, q2]: &[[f32; L]
 
 /// The twelve sums of one colour, where there are no vectors.
 #[cfg(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128"))))]
-#[inline(always)]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     some(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
 }
