@@ -224,7 +224,7 @@ struct Step {
 }
 
 /// From the sums to the step.
-#[inline(always)]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn step(sums: &Sums, u: [f32; 3]) -> Step {
     let (mut goal, mut far) = ([0.0; 3], 0.0);
     for k in 0..3 {
@@ -241,7 +241,7 @@ fn step(sums: &Sums, u: [f32; 3]) -> Step {
 }
 
 /// Cramer's rule.
-#[inline(always)]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32; 3]) -> [f32; 3] {
     let (m0, m1, m2) = (e * i - f * h, f * g - d * i, d * h - e * g);
     let per_det = 1.0 / (a * m0 + b * m1 + c * m2);
