@@ -136,12 +136,14 @@ impl<const M: usize> Moments<M> {
 
     /// Bin and place in it, -1/2..=1/2, of a position counted in bins from the grid's start.
     const fn place(position: f64) -> (usize, f64) {
+        // (Compared as an integer it needs no check: a fold at run time does not panic either.)
+        let bin = position as usize;
         if position <= 0.0 {
             (0, -0.5)
-        } else if position >= M as f64 {
+        } else if bin >= M {
             (M - 1, 0.5)
         } else {
-            (position as usize, position - position as usize as f64 - 0.5)
+            (bin, position - bin as f64 - 0.5)
         }
     }
 
