@@ -120,14 +120,15 @@ struct Judge {
 
 impl Judge {
     fn new(light: &Fine<Power>) -> Result<Self, RenderingError> {
-        let eye = CIE_1964.under(light);
+        let mut eye = CIE_1964.under(light);
         let white = Xyz::from(eye.sees(&Fine::flat(1.0)));
         let scale = 100.0 / white.y;
         if !scale.is_finite() {
             return Err(RenderingError::Dark);
         }
-        let [x, y, z] = *eye.weights();
-        let eye = crate::Observer::from_weights([x, y, z].map(|row| row.map(|w| w * scale)));
+        for weight in eye.0.as_flattened_mut() {
+            *weight *= scale;
+        }
         Ok(Judge { eye, viewing: Viewing::new(white.scaled(scale)) })
     }
 
