@@ -61,7 +61,8 @@ pub struct HueBin {
 pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
     let light = light.within(380.0, 780.0);
     let (cct_k, duv) = temperature(&light)?;
-    let (test, standard) = (Judge::new(&light)?, Judge::new(&reference(cct_k))?);
+    let test = Judge::new(&light)?;
+    let standard = Judge::new(&reference(cct_k))?;
 
     let mut rf_ces = [0.0; 99];
     let mut bins = [Bin::default(); 16];
@@ -100,10 +101,11 @@ fn fidelity(difference: f32) -> f32 {
 }
 
 fn reference(cct_k: f32) -> Fine<Power> {
-    let [black, day] = [planckian(cct_k), daylight(cct_k)].map(|light| light.within(380.0, 780.0));
+    let black = planckian(cct_k).within(380.0, 780.0);
     if cct_k <= 4000.0 {
         return black;
     }
+    let day = daylight(cct_k).within(380.0, 780.0);
     if cct_k >= 5000.0 {
         return day;
     }
