@@ -46,6 +46,7 @@ extern "C" fn upsample(r: f32, g: f32, b: f32) -> u32 {
 #[cfg(feature = "paint")]
 mod methods {
     use super::*;
+    use crate::board::put;
     use crate::display::displayed;
     use crate::fixed::Fixed;
     use nanospectra::color::{Lab, Xyz};
@@ -89,11 +90,10 @@ mod methods {
             // (Made anew: from 70 numbers, where all of its curves are 567.)
             _ => Smits::<N, Grid>::new().reflectance(rgb),
         };
-        let there = VIEWING.rgb(&spectrum).encode().to_array();
-        let rest = there.into_iter().chain([VIEWING.delta_e(rgb, &spectrum), kept]);
-        for (slot, value) in board().out.iter_mut().zip(spectrum.values().iter().copied().chain(rest)) {
-            *slot = value;
-        }
+        let out = &mut board().out;
+        put(out, 0, *spectrum.values());
+        put(out, N, VIEWING.rgb(&spectrum).encode().to_array());
+        put(out, N + 3, [VIEWING.delta_e(rgb, &spectrum), kept]);
         *PAINT.get() = spectrum;
         status
     }
@@ -112,10 +112,9 @@ mod methods {
         let seen = Xyz::from(eye.sees(&*PAINT.get()));
         let lab = seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN));
         let (_, code) = displayed(seen, white);
-        let values = [seen.scaled(100.0).to_array(), [lab.l, lab.a, lab.b], code];
-        for (slot, value) in board.out.iter_mut().zip(values.into_iter().flatten()) {
-            *slot = value;
-        }
+        put(&mut board.out, 0, seen.scaled(100.0).to_array());
+        put(&mut board.out, 3, [lab.l, lab.a, lab.b]);
+        put(&mut board.out, 6, code);
         0
     }
 }
