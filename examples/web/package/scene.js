@@ -63,7 +63,7 @@ export class Scene {
     const { spectra, recipe } = this;
     // Until all parts are in, no scene is in memory: one may be refused.
     spectra.currentScene = null;
-    spectra.wasm.scene_clear();
+    spectra.wasm.clear();
     this.parts = recipe.part.map((part) => {
       const kinds = KINDS.filter((kind) => part[kind] !== undefined);
       if (kinds.length !== 1) {
@@ -152,7 +152,7 @@ export class Scene {
       if (cm === undefined) throw new Error('an absorbance without a length; give path_cm');
       if (!within(cm, 0, 1e5)) throw new Error(`path_cm = ${plain(cm)} is no length; give 0..100000`);
       this.check(
-        spectra.wasm.scene_absorber(spectra.write(absorbance), f(f(0.01) * f(cm)), matt),
+        spectra.wasm.absorber(spectra.write(absorbance), f(f(0.01) * f(cm)), matt),
         '; give absorbances of 0 or more',
       );
       return matt ? 'reflection' : 'Beer-Lambert';
@@ -160,7 +160,7 @@ export class Scene {
     if (cm !== undefined) throw new Error('path_cm is for absorbance_per_cm; leave it out');
     if (flat !== undefined && !within(flat, 0, 1)) throw new Error(`flat = ${plain(flat)} is no share; give 0..1`);
     this.check(
-      spectra.wasm.scene_factors(
+      spectra.wasm.factors(
         this.shares(
           points ?? [
             [380, flat],
@@ -186,7 +186,7 @@ export class Scene {
     const first = this.shares(reflectance),
       second = this.shares(absorption, first);
     const third = spectra.write(emission, first + second);
-    this.check(spectra.wasm.scene_dye(first, second, third, quantum));
+    this.check(spectra.wasm.dye(first, second, third, quantum));
     return 'fluorescence';
   }
 
@@ -205,7 +205,7 @@ export class Scene {
       throw new Error('an index of refraction out of range; give 0.01..100');
     }
     if (!within(nm, 0, 1e9)) throw new Error(`thickness_nm = ${plain(nm)} is no film; give 0..1000000000`);
-    this.check(this.spectra.wasm.scene_film(before, n, behind, nm, this.cos(deg), +transmitted));
+    this.check(this.spectra.wasm.film(before, n, behind, nm, this.cos(deg), +transmitted));
     return 'interference';
   }
 
@@ -213,20 +213,20 @@ export class Scene {
     if (!(within(n, 0.01, 100) && within(k, 0, 100))) {
       throw new Error('an index of refraction out of range; give n = 0.01..100, k = 0..100');
     }
-    this.check(this.spectra.wasm.scene_mirror(n, k, this.cos(angle), this.turns(axis)));
+    this.check(this.spectra.wasm.mirror(n, k, this.cos(angle), this.turns(axis)));
     return 'polarisation';
   }
 
   polariser({ axis_deg: axis, along = 1, across = 0 }) {
     if (![along, across].every((share) => within(share, 0, 1)))
       throw new Error('along and across are shares; give 0..1');
-    this.check(this.spectra.wasm.scene_polariser(along, across, this.turns(axis)));
+    this.check(this.spectra.wasm.polariser(along, across, this.turns(axis)));
     return 'polarisation';
   }
 
   retarder({ path_difference_nm: nm, axis_deg: axis }) {
     if (!within(nm, 0, 1e5)) throw new Error(`path_difference_nm = ${plain(nm)} is no plate; give 0..100000`);
-    this.check(this.spectra.wasm.scene_retarder(nm, this.turns(axis)));
+    this.check(this.spectra.wasm.retarder(nm, this.turns(axis)));
     return 'polarisation';
   }
 
@@ -273,7 +273,7 @@ export class Scene {
       }
     }
     const mask = off.reduce((bits, k) => bits | (1 << k), 0);
-    if (spectra.wasm.scene_answer(this.eye, level ?? 0, mask, budget ?? -1)) {
+    if (spectra.wasm.answer(this.eye, level ?? 0, mask, budget ?? -1)) {
       throw new Error('nothing visible; give a lamp with power in 360..830 nm');
     }
     const out = spectra.out.slice(),

@@ -57,7 +57,7 @@ extern "C" fn out() -> *mut f32 {
 }
 
 /// Writes numbers from place `at` on. (Of known size and inlined: then there is nothing to check.)
-#[cfg(any(feature = "core", feature = "light", feature = "scene"))]
+#[cfg(not(feature = "cost"))]
 #[inline(always)]
 pub fn put<const N: usize>(out: &mut Out, at: usize, values: [f32; N]) {
     if let Some(slots) = out.get_mut(at..).and_then(|rest| rest.first_chunk_mut()) {
@@ -96,4 +96,11 @@ extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
         }
         Err(error) => code(error),
     }
+}
+
+/// A black body of that temperature, 1 at 560 nm, into `curve`.
+#[cfg(any(feature = "light", feature = "scene"))]
+#[unsafe(no_mangle)]
+extern "C" fn black_body(kelvin: f32) {
+    board().curve = Fine::at_centres(|nm| nanospectra::light::blackbody_relative(nm, kelvin));
 }

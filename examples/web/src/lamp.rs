@@ -4,7 +4,6 @@ use crate::board::{Board, board, put};
 use crate::fixed::Fixed;
 use crate::measure::{at, eye};
 use nanospectra::color::{Cri, RenderingError, Tm30, Xy, cri, dominant_wavelength, tm30};
-use nanospectra::light::blackbody_relative;
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
 use nanospectra::{Fine, Power};
 
@@ -81,12 +80,6 @@ extern "C" fn fidelity() -> u32 {
         }
         Err(error) => reason(error),
     }
-}
-
-/// A black body of that temperature, 1 at 560 nm, into `curve`.
-#[unsafe(no_mangle)]
-extern "C" fn black_body(kelvin: f32) {
-    board().curve = Fine::at_centres(|nm| blackbody_relative(nm, kelvin));
 }
 
 /// The most lights of a batch.

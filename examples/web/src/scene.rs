@@ -80,20 +80,20 @@ fn add(what: What, without: Reflectance<N, Grid>) -> u32 {
     0
 }
 
-fn factors(samples: &[(f32, f32)], outside: Outside) -> Result<Reflectance<N, Grid>, u32> {
+fn read(samples: &[(f32, f32)], outside: Outside) -> Result<Reflectance<N, Grid>, u32> {
     Spectrum::from_samples(samples, outside).map_err(code)
 }
 
 /// An empty scene.
 #[unsafe(no_mangle)]
-extern "C" fn scene_clear() {
+extern "C" fn clear() {
     SCENE.get().count = 0;
 }
 
 /// A filter, or with `matt` a surface, of the samples. Gives 0 or an error's code, as all of these.
 #[unsafe(no_mangle)]
-extern "C" fn scene_factors(count: u32, matt: u32) -> u32 {
-    match factors(given(&board().samples, count), Outside::Hold) {
+extern "C" fn factors(count: u32, matt: u32) -> u32 {
+    match read(given(&board().samples, count), Outside::Hold) {
         Ok(factors) => add(What::Plain { factors, matt: matt != 0 }, CLEAR),
         Err(code) => code,
     }
@@ -101,8 +101,8 @@ extern "C" fn scene_factors(count: u32, matt: u32) -> u32 {
 
 /// A filter of absorbances for each cm, or with `matt` a surface behind such a layer. Gives 6 for what is none.
 #[unsafe(no_mangle)]
-extern "C" fn scene_absorber(count: u32, path_m: f32, matt: u32) -> u32 {
-    let absorbance = match factors(given(&board().samples, count), Outside::Hold) {
+extern "C" fn absorber(count: u32, path_m: f32, matt: u32) -> u32 {
+    let absorbance = match read(given(&board().samples, count), Outside::Hold) {
         Ok(absorbance) => absorbance,
         Err(code) => return code,
     };
@@ -113,15 +113,14 @@ extern "C" fn scene_absorber(count: u32, path_m: f32, matt: u32) -> u32 {
 }
 
 /// A dye: samples of reflectance, absorption and emission one after the other, so many of each. What is wrong
-/// with the dye is 8 more than a kind, and `out` holds the bins.
+/// with the dye is 65536 more than a kind, and `out` holds the bins.
 #[unsafe(no_mangle)]
-extern "C" fn scene_dye(reflectance: u32, absorption: u32, emission: u32, quantum_yield: f32) -> u32 {
+extern "C" fn dye(reflectance: u32, absorption: u32, emission: u32, quantum_yield: f32) -> u32 {
     let Board { samples, out, .. } = board();
     let (first, rest) = samples.split_at((reflectance as usize).min(samples.len()));
     let (second, rest) = rest.split_at((absorption as usize).min(rest.len()));
     let third = rest.get(..emission as usize).unwrap_or(rest);
-    let spectra =
-        (factors(first, Outside::Hold), factors(second, Outside::Hold), factors(third, Outside::Zero));
+    let spectra = (read(first, Outside::Hold), read(second, Outside::Hold), read(third, Outside::Zero));
     let (reflects, absorbs, emits) = match spectra {
         (Ok(reflects), Ok(absorbs), Ok(emits)) => (reflects, absorbs, Light::from_bins(*emits.values())),
         (Err(code), ..) | (_, Err(code), _) | (.., Err(code)) => return code,
@@ -146,7 +145,7 @@ extern "C" fn scene_dye(reflectance: u32, absorption: u32, emission: u32, quantu
 
 /// A thin film, reflecting or transmitting, met at an angle of this cosine. Without interference it is a plate.
 #[unsafe(no_mangle)]
-extern "C" fn scene_film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmitted: u32) -> u32 {
+extern "C" fn film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmitted: u32) -> u32 {
     let share = |thickness_nm| {
         let film = ThinFilm::new([before, n, behind], thickness_nm);
         let mut shares = [0.0; N];
@@ -163,20 +162,20 @@ extern "C" fn scene_film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, tr
 
 /// A mirror of index n + ik met at an angle of this cosine.
 #[unsafe(no_mangle)]
-extern "C" fn scene_mirror(n: f32, k: f32, cos: f32, axis_turns: f32) -> u32 {
+extern "C" fn mirror(n: f32, k: f32, cos: f32, axis_turns: f32) -> u32 {
     add(What::Mirror(Mirror::conductor(&Spectrum::flat(n), &Spectrum::flat(k), cos, axis_turns)), CLEAR)
 }
 
 /// A polariser with these transmittances along its axis and across.
 #[unsafe(no_mangle)]
-extern "C" fn scene_polariser(along: f32, across: f32, axis_turns: f32) -> u32 {
+extern "C" fn polariser(along: f32, across: f32, axis_turns: f32) -> u32 {
     let polariser = Polariser::new(&Reflectance::flat(along), &Reflectance::flat(across), axis_turns);
     add(What::Polariser(polariser), CLEAR)
 }
 
 /// A wave plate of this path difference in nm.
 #[unsafe(no_mangle)]
-extern "C" fn scene_retarder(path_difference_nm: f32, axis_turns: f32) -> u32 {
+extern "C" fn retarder(path_difference_nm: f32, axis_turns: f32) -> u32 {
     add(What::Retarder(Retarder::of_path_difference(path_difference_nm, axis_turns)), CLEAR)
 }
 
@@ -252,11 +251,12 @@ fn scene(Parts { parts, without, count }: &Parts, off: u32) -> Scene<'_, N, PART
 /// 1931) or 1 (CIE 1964). `off` has a bit for each part whose effect is switched off; effects are left out
 /// within `budget` if it is not negative. Gives 0, or 1 for a lamp that is dark.
 #[unsafe(no_mangle)]
-extern "C" fn scene_answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u32 {
+extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u32 {
     let board = board();
     let parts = &*SCENE.get();
     let lit: Light<N, Grid> = board.curve.resample(Outside::Zero);
-    let bare = Irradiance::new(lit).luminous_by(&photopic()).value().0;
+    let photopic = photopic();
+    let bare = Irradiance::new(lit).luminous_by(&photopic).value().0;
     let lit = if illuminance_lx > 0.0 { lit * (illuminance_lx / bare) } else { lit };
     let eye = &EYES[usize::from(eye == 1)];
     let white = Xyz::from(eye.sees(&lit));
@@ -278,7 +278,7 @@ extern "C" fn scene_answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32)
     let reading = Price { multiply_adds: 3 * N, bytes: 12 * N, ..Price::NONE };
     put(out, at::PRICES, price(whole.price().plus(Price::light(N)).plus(reading)));
     put(out, at::PRICES + 2, price(whole.folded_price(3).plus(Price::light(N))));
-    put(out, at::ABSOLUTE, absolute(lit, leaving));
+    put(out, at::ABSOLUTE, absolute(lit, leaving, &photopic));
     let [cost, _] = price(shown.price().plus(reading));
     put(out, at::SHOWN, [whole.difference(&shown, eye, &lit), cost]);
     if budget >= 0.0 {
@@ -299,15 +299,19 @@ extern "C" fn scene_answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32)
 }
 
 /// Illuminance and irradiance in front, exitance behind, and luminance and radiance if that is matt.
-fn absolute(lit: Light<N, Grid>, leaving: Light<N, Grid>) -> [f32; 6] {
+fn absolute(
+    lit: Light<N, Grid>,
+    leaving: Light<N, Grid>,
+    photopic: &Observer<1, N, Power, Grid>,
+) -> [f32; 6] {
     let (arrives, leaves) = (Irradiance::new(lit), Exitance::new(leaving));
     let radiance = leaves.lambertian();
     [
-        arrives.luminous_by(&photopic()).value().0,
+        arrives.luminous_by(photopic).value().0,
         arrives.radiant().value().0,
-        leaves.luminous_by(&photopic()).value().0,
+        leaves.luminous_by(photopic).value().0,
         leaves.radiant().value().0,
-        radiance.luminous_by(&photopic()).value().0,
+        radiance.luminous_by(photopic).value().0,
         radiance.radiant().value().0,
     ]
 }

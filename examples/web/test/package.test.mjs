@@ -1,11 +1,15 @@
 // The package in node: the same numbers as the crate's command-line examples to the last bit, in both builds.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import test, { before } from 'node:test';
 import { load } from '../dist/nanospectra/nanospectra.js';
 import { parse } from '../dist/nanospectra/csv.js';
 import { scenes } from '../tools/scenes.mjs';
+import { toml } from '../tools/toml.mjs';
 import * as host from './host.mjs';
+import { RECIPES } from './recipes.mjs';
 
 const BUILDS = [
   ['plain', false],
@@ -124,16 +128,25 @@ for (const [name, simd] of BUILDS) {
   });
 
   test(`${name}: scenes are those of the command line`, () => {
-    for (const [key, recipe] of Object.entries(scenes())) {
-      const [expected] = host.json('scene', ['--budget', '2', key]);
+    const compare = (title, recipe, expected) => {
       const answer = loaded.get(simd).scene.scene(recipe).answer({ budget: 2 });
       for (const known of Object.keys(answer).filter((known) => known in expected && known !== 'bill')) {
-        assert.deepEqual(answer[known], expected[known], `${key}: ${known}`);
+        assert.deepEqual(answer[known], expected[known], `${title}: ${known}`);
       }
       answer.bill.forEach(({ without_hex, ...line }, k) =>
-        assert.deepEqual(line, expected.bill[k], `${key}: ${line.name}`),
+        assert.deepEqual(line, expected.bill[k], `${title}: ${line.name}`),
       );
+    };
+    for (const [key, recipe] of Object.entries(scenes()))
+      compare(key, recipe, host.json('scene', ['--budget', '2', key])[0]);
+    const folder = mkdtempSync(join(tmpdir(), 'nanospectra-scenes-'));
+    for (const [k, text] of RECIPES.entries()) {
+      const recipe = toml(text),
+        file = join(folder, `${k}.toml`);
+      writeFileSync(file, text);
+      compare(recipe.title, recipe, host.json('scene', ['--budget', '2', file])[0]);
     }
+    rmSync(folder, { recursive: true });
   });
 
   test(`${name}: switching every effect off one by one is what the bill says`, () => {

@@ -71,7 +71,7 @@ function without(wasm, tables) {
     throw new Error(`table ${k} is not in the module's data: tools/tables.mjs and the crate disagree`);
   });
   const rest = parts.map((part) => (part.id === 11 ? dataSection(data) : part));
-  return module([...rest, custom('places', new Uint8Array(Uint32Array.from(places).buffer))]);
+  return module(places.length ? [...rest, custom('places', new Uint8Array(Uint32Array.from(places).buffer))] : rest);
 }
 
 const OPTIMISER = here('node_modules/binaryen/bin/wasm-opt');
@@ -81,7 +81,7 @@ function smaller(wasm) {
   if (!existsSync(OPTIMISER)) return wasm;
   const enabled = ['simd', 'bulk-memory', 'sign-ext', 'mutable-globals', 'nontrapping-float-to-int'];
   // (The first kilobyte of memory is the last that the stack would reach.)
-  const options = ['-Oz', '--converge', '--low-memory-unused', ...enabled.map((feature) => `--enable-${feature}`)];
+  const options = ['-Oz', '--flatten', '--rereloop', '-Oz', '-Oz', '--converge', '--low-memory-unused', ...enabled.map((feature) => `--enable-${feature}`)];
   const [before, after] = [here('dist/before.wasm'), here('dist/after.wasm')];
   writeFileSync(before, wasm);
   execFileSync(process.execPath, [OPTIMISER, before, ...options, '-o', after], { stdio: 'inherit' });
