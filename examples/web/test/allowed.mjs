@@ -11,7 +11,7 @@ const MOST = {
   'paint.simd.wasm': 23500,
   'scene.wasm': 24576,
   'scene.simd.wasm': 24576,
-  'bands.wasm': 2000,
+  'bands.wasm': 1950,
   'bands.simd.wasm': 2400,
   'cie1931.tables': 2200,
   'light.tables': 21000,
