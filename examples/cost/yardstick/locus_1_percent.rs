@@ -1,6 +1,6 @@
 //! Ohno's table: K, u and v (CIE 1960) of black bodies in steps of 1 %, one step beyond 1000 and 100 000 K.
 //!
-//! Made from the CIE 1931 functions by `cargo test --test cost_yardsticks -- --ignored`.
+//! Made from the CIE 1931 functions by `NANOSPECTRA_BLESS=1 cargo test --test cost_yardsticks`.
 
 #[rustfmt::skip]
 pub static LOCUS: [[f32; 3]; 466] = [

@@ -1,6 +1,6 @@
 // Cost: how few bands will do, for which lamps, by which fold; the errors computed here, the instructions as recorded.
 import { closely } from './fold.js';
-import { download, figure, h, onWidth, select } from './dom.js';
+import { figure, h, onWidth, saving, select } from './dom.js';
 import { cost as plot } from './plots.js';
 import { lampNames, remember, spectra, state } from './session.js';
 
@@ -252,16 +252,7 @@ export async function build(section) {
               view.rows,
             ),
           ),
-          h(
-            'div',
-            { class: 'export', style: 'margin-top:.75rem' },
-            h('button', { type: 'button', onclick: () => download('cost.csv', csv(), 'text/csv') }, 'CSV'),
-            h(
-              'button',
-              { type: 'button', onclick: () => download('cost.json', json(), 'application/json') },
-              'JSON',
-            ),
-          ),
+          saving('cost', csv, json),
         ),
       ),
     ),

@@ -147,3 +147,16 @@ export const inPage = (text) =>
     .replace('give W/m2/nm and --unit absolute', 'for W/m²/nm choose that unit')
     .replace('use --interpolation linear', 'choose linear between samples')
     .replace('--light: ', '');
+
+/** Buttons that save what is shown, as `name`.csv and `name`.json. @param {string} name @param {() => string} csv @param {() => string} json */
+export const saving = (name, csv, json) =>
+  h(
+    'div',
+    { class: 'export' },
+    h('button', { type: 'button', id: `${name}-csv`, onclick: () => download(`${name}.csv`, csv(), 'text/csv') }, 'CSV'),
+    h(
+      'button',
+      { type: 'button', id: `${name}-json`, onclick: () => download(`${name}.json`, json(), 'application/json') },
+      'JSON',
+    ),
+  );

@@ -1,6 +1,6 @@
 // The colorimeter: a spectrum from a file, a lamp or a hand, and every number about it.
 import { parse } from './nanospectra/csv.js';
-import { download, figure, h, inPage, onWidth, options, say, select } from './dom.js';
+import { figure, h, inPage, onWidth, options, saving, say, select } from './dom.js';
 import { drawing, drawnSource, hand } from './drawing.js';
 import { prepare, show } from './reading.js';
 import { lampNames, remember, spectra, state } from './session.js';
@@ -346,20 +346,7 @@ export async function build(section) {
           h('h3', {}, 'Notes'),
           view.notes,
           h('h3', {}, 'Take it with you'),
-          h(
-            'div',
-            { class: 'export' },
-            h(
-              'button',
-              { type: 'button', id: 'csv', onclick: () => download('spectrum.csv', csv(), 'text/csv') },
-              'CSV',
-            ),
-            h(
-              'button',
-              { type: 'button', id: 'json', onclick: () => download('spectrum.json', json(), 'application/json') },
-              'JSON',
-            ),
-          ),
+          saving('spectrum', csv, json),
         ),
         view.tm30.element,
       ),

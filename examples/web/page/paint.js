@@ -1,6 +1,6 @@
 // Paint: an RGB colour, the spectra that have it, and what they look like under other lamps.
 import { ink } from './color.js';
-import { copy, download, figure, h, onWidth, select } from './dom.js';
+import { copy, figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
 import { fetched, lampNames, remember, state } from './session.js';
 
@@ -167,6 +167,7 @@ export async function build(section) {
     ),
   );
   view.plot.element.classList.add('second');
+  const json = () => answers.map((answer) => JSON.stringify(answer)).join('\n') + '\n';
   const csv = () =>
     [
       'nm,sigmoid,basis,smits',
@@ -269,24 +270,7 @@ export async function build(section) {
               view.lamps,
             ),
           ),
-          h(
-            'div',
-            { class: 'export', style: 'margin-top:.75rem' },
-            h('button', { type: 'button', onclick: () => download('paint.csv', csv(), 'text/csv') }, 'CSV'),
-            h(
-              'button',
-              {
-                type: 'button',
-                onclick: () =>
-                  download(
-                    'paint.json',
-                    answers.map((answer) => JSON.stringify(answer)).join('\n') + '\n',
-                    'application/json',
-                  ),
-              },
-              'JSON',
-            ),
-          ),
+          saving('paint', csv, json),
         ),
       ),
     ),

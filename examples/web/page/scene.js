@@ -1,6 +1,6 @@
 // Scenes: what light meets on its way, each effect a switch; the colour, and what it costs.
 import { ink } from './color.js';
-import { download, figure, h, onWidth, select } from './dom.js';
+import { figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
 import { fetched, lampNames, remember, state } from './session.js';
 
@@ -253,16 +253,7 @@ export async function build(section) {
           { class: 'card' },
           h('h2', {}, 'Numbers'),
           h('div', { class: 'wide' }, h('table', {}, h('caption', {}, 'Of what reaches the eye, as switched'), view.numbers)),
-          h(
-            'div',
-            { class: 'export', style: 'margin-top:.75rem' },
-            h('button', { type: 'button', onclick: () => download('scene.csv', csv(), 'text/csv') }, 'CSV'),
-            h(
-              'button',
-              { type: 'button', onclick: () => download('scene.json', json(), 'application/json') },
-              'JSON',
-            ),
-          ),
+          saving('scene', csv, json),
         ),
       ),
     ),

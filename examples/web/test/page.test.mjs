@@ -366,7 +366,7 @@ check('plots and data can be saved', async () => {
   ]) {
     await page.value(`document.querySelector('[aria-label="${label}"]').click()`);
   }
-  await page.value("document.querySelector('#csv').click(); document.querySelector('#json').click()");
+  await page.value("document.querySelector('#spectrum-csv').click(); document.querySelector('#spectrum-json').click()");
   const wait = async (name) => {
     for (let k = 0; k < 100; k++) {
       try {
@@ -387,6 +387,12 @@ check('plots and data can be saved', async () => {
   const csv = String(await wait('spectrum.csv')),
     [expected] = host.json('colorimeter', ['-'], csv);
   assert.equal(JSON.parse(await wait('spectrum.json')).cct_k, expected.cct_k);
+  for (const tab of ['paint', 'scene', 'cost']) {
+    await page.open(`${root}?save#tab=${tab}`);
+    await page.value(`document.querySelector('#${tab}-csv').click(); document.querySelector('#${tab}-json').click()`);
+    assert.ok(String(await wait(`${tab}.csv`)).trim().split('\n').length > 9, `${tab}.csv`);
+    for (const line of String(await wait(`${tab}.json`)).trim().split('\n')) assert.ok(JSON.parse(line));
+  }
 });
 
 check('to measure a spectrum a browser fetches less than 60 KB, compressed, and the bundled lamps', async (t) => {
