@@ -2,9 +2,6 @@
 //!
 //! Every result is compared with the f64 model of the tests first.
 
-#[path = "../tests/model/mod.rs"]
-mod model;
-
 use criterion::{BenchmarkId, Criterion};
 use model::cri::{Method, Mode};
 use model::{cct, delta_e, lab, transfer};

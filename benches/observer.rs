@@ -4,8 +4,6 @@
 //! Every result is compared with the exact sum of the same products first. Other vectors (`--features simd` where
 //! there are any to choose, `RUSTFLAGS="-C target-cpu=x86-64-v3"`) give the same bits.
 
-mod yardsticks;
-
 use criterion::{Criterion, Throughput};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, light};

@@ -1,4 +1,4 @@
-//! The constants of the station `upsample`: small tables that `tests/upsample_fit.rs` makes from the
+//! The constants of the station `upsample`: small tables that `tests/upsample/tables.rs` makes from the
 //! CIE's own, and the curves of Smits. Rows of numbers without wavelengths.
 
 use std::fmt::Write as _;

@@ -83,36 +83,37 @@ others=$!
 trap 'kill "$others" 2>/dev/null || true' EXIT
 
 step "lints, of everything"
-cargo clippy --all-targets --all-features -- -D warnings
+cargo clippy --workspace --all-targets -- -D warnings
+cargo clippy -p nanospectra --all-targets --all-features -- -D warnings
 
 step "documentation"
 RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features
 
 step "tests, with the default features, as a release"
-cargo test --release
+cargo test --release --workspace
 step "Fast, over every fifth f32"
-NANOSPECTRA_STRIDE=5 cargo test --release --test every_f32
+NANOSPECTRA_STRIDE=5 cargo test --release --test spectrum every_f32
 step "all 2^24 sRGB colours there and back with the default map, every eighth with the others"
-NANOSPECTRA_STRIDE=1 cargo test --release --test upsample_all cubic
-NANOSPECTRA_STRIDE=2 cargo test --release --test upsample_all -- --skip cubic
+NANOSPECTRA_STRIDE=1 cargo test --release --test upsample all::cubic
+NANOSPECTRA_STRIDE=2 cargo test --release --test upsample all:: -- --skip cubic
 step "what features could change: with every one, then with none, and with checks for overflow"
-tests() { for name; do echo "--test $name"; done; }
+harnesses() { for name; do echo "--test $name"; done; }
 # shellcheck disable=SC2046
-cargo test --all-features --lib $(tests backends bits every_f32 fixed hard_cases path properties scene sensor_measures \
-    sensor_readings semantics upsample upsample_properties)
+cargo test --all-features --lib $(harnesses spectrum path sensor upsample)
+cargo test -p nanospectra-bits --features simd
 cargo test --all-features --doc
 # shellcheck disable=SC2046
-cargo test --no-default-features --lib $(tests backends cct color_spaces differences path radiometry reference semantics sensor_readings upsample_fit)
+cargo test --no-default-features --lib $(harnesses spectrum color matter path radiometry sensor upsample)
 cargo test --no-default-features --doc
 
 step "the benches run and check their results"
-cargo bench --bench observer --bench color --bench sensor --bench upsample --bench peers -- --test
+cargo bench -p nanospectra-benches --bench observer --bench color --bench sensor --bench upsample --bench peers -- --test
 
 step "what accuracy costs: every figure as it is on record, and the README as the record makes it"
 cargo run --release --example cost -- --quick --check
 
 step "the package is complete"
-cargo package --allow-dirty
+cargo package -p nanospectra --allow-dirty
 
 step "other targets"
 outcome=0

@@ -1,7 +1,6 @@
 //! The colorimeter example from outside: what it reads, prints, and refuses.
 
 mod cli;
-mod model;
 
 use cli::*;
 use serde_json::Value;

@@ -1,12 +1,9 @@
 //! The methods of others that the cost study measures with do what their authors published.
 
-mod allowed;
-mod model;
-
 #[path = "../examples/cost/yardstick/mod.rs"]
 mod yardstick;
 
-use allowed::check;
+use model::allowed::check;
 use model::cct::planckian_uv;
 use model::chromaticity::xy_from_uv1960;
 use model::csv::golden;

@@ -5,8 +5,6 @@
 //! by `tests/devices.sh --bless`.
 #![cfg(feature = "libm")]
 
-mod model;
-
 #[path = "../examples/cost/hard_cases/mod.rs"]
 mod hard_cases;
 #[expect(dead_code, reason = "of the methods of others only those of colour temperature are here")]

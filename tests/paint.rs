@@ -2,7 +2,6 @@
 #![cfg(feature = "libm")]
 
 mod cli;
-mod model;
 
 use cli::{assert_all_near, assert_near, json, json_with, number, numbers, run, run_with, scratch, start};
 use model::fold::{EqualBins, Reconstruction, on_cie_nodes, weights};

@@ -2,7 +2,6 @@
 #![cfg(feature = "libm")]
 
 mod cli;
-mod model;
 
 use cli::{assert_all_near, assert_near, file, json, number, numbers, run, scratch};
 use model::fine::Curve;

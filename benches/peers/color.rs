@@ -1,11 +1,11 @@
 //! What a colour means: `colorimetry` for CCT and colour rendering, `palette` in f32 for Lab, CIEDE2000 and sRGB.
 
-use crate::model::{cct, cri, delta_e, lab, transfer};
 use crate::race::Races;
 use colorimetry::illuminant::Illuminant;
 use colorimetry::observer::Observer as StdObserver;
 use colorimetry::spectrum::Spectrum as StdSpectrum;
 use colorimetry::xyz::XYZ;
+use model::{cct, cri, delta_e, lab, transfer};
 use nanospectra::color::{Lab, Rgb, Srgb, Xyz, ciede2000, cri as rendering, tm30};
 use nanospectra::{Fine, Interpolation, Outside, Power, light};
 use palette::LinSrgb;

@@ -1,20 +1,16 @@
 //! How many times as fast as others, by one command, in one run:
 //!
 //! ```text
-//! cargo bench --bench peers [-- --json FILE]
+//! cargo bench -p nanospectra-benches --bench peers [-- --json FILE]
 //! ```
 //!
 //! Every result is compared with f64 before it is timed. `RUSTFLAGS="-C target-cpu=x86-64-v3"` builds for AVX2, which
 //! changes no number. Times wobble, so a missed bar fails nothing; what may not grow is gated on instruction counts.
 
 mod color;
-#[path = "../../tests/model/mod.rs"]
-mod model;
 mod observer;
 mod race;
 mod upsample;
-#[path = "../yardsticks/mod.rs"]
-mod yardsticks;
 
 use race::Races;
 

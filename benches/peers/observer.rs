@@ -1,12 +1,12 @@
 //! Spectrum to XYZ: vectors by hand, the limit of the core, the crate `colorimetry`; and sums.
 
 use crate::race::Races;
-use crate::yardsticks::{exact, multiply_and_add, naive, pairwise, wide_one_pass};
 use colorimetry::observer::Observer as StdObserver;
 use colorimetry::spectrum::Spectrum as StdSpectrum;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, light};
 use std::hint::black_box;
+use yardsticks::{exact, multiply_and_add, naive, pairwise, wide_one_pass};
 
 type Usual = Nodes<380, 780>;
 

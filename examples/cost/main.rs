@@ -34,8 +34,6 @@ mod made;
 mod maths;
 #[path = "../scene/matter.rs"]
 mod matter;
-#[path = "../../tests/model/mod.rs"]
-mod model;
 mod nanometres;
 mod observers;
 mod picture;

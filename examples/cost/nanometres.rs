@@ -1,10 +1,10 @@
 //! The lamps and the samples every nanometre: sums of 471 terms, for what has nothing to do with the number of bins.
 
-use crate::model::fine::Curve;
-use crate::model::interpolation::{Interpolation, Outside};
-use crate::model::lab::lab;
-use crate::model::tables::samples;
 use crate::xyz::lamps::{self, Class};
+use model::fine::Curve;
+use model::interpolation::{Interpolation, Outside};
+use model::lab::lab;
+use model::tables::samples;
 use std::sync::OnceLock;
 
 /// At 360, 361, .. 830 nm.

@@ -1,12 +1,12 @@
 //! Who looks: what an error means beside the choice of an observer.
 
 use crate::cells::{DIFFERENCES, summary};
-use crate::model::delta_e::de2000;
-use crate::model::tables::Observer;
 use crate::nanometres::{Lit, for_y_100, world};
 use crate::report::{Cell, Column, Table};
 use crate::studies::Effort;
 use crate::xyz::lamps::CLASSES;
+use model::delta_e::de2000;
+use model::tables::Observer;
 
 const OTHERS: [(&str, Observer); 3] = [
     ("CIE 1964, 10 degrees", Observer::Cie1964),

@@ -1,14 +1,14 @@
 //! The colour-matching functions in fewer bytes.
 
 use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, summary};
-use crate::model::delta_e::de2000;
-use crate::model::lab::lab;
-use crate::model::tables::Observer;
 use crate::nanometres::{Light, Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
 use crate::studies::Effort;
 use crate::xyz::lamps::CLASSES;
 use crate::yardstick::lobes::color_matching;
+use model::delta_e::de2000;
+use model::lab::lab;
+use model::tables::Observer;
 use nanospectra::math::Portable;
 
 pub fn tables(_: &Effort) -> Vec<Table> {

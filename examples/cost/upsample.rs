@@ -2,12 +2,12 @@
 
 use crate::cells::{COUNTED, TIME, bytes as of_bytes, counted};
 use crate::clock::nanoseconds;
-use crate::model::csv::table;
-use crate::model::delta_e::de2000;
-use crate::model::lab::lab;
 use crate::report::{Cell, Column, Table};
 use crate::studies::Effort;
 use crate::yardstick::product::rgb_product;
+use model::csv::table;
+use model::delta_e::de2000;
+use model::lab::lab;
 use nanospectra::color::{EncodedRgb, Rgb, Srgb, Xyz};
 use nanospectra::light::{A, D65, FL2, FL11, LED_B3};
 use nanospectra::matter::CES;

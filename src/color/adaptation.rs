@@ -83,7 +83,7 @@ impl Adaptation {
     /// a deep blue or red laser has. NaN stays NaN; a white with X / Y or Z / Y beyond 1e37 overflows.
     ///
     /// # Accuracy
-    /// 3e-6 per element, whose largest is 9, from high-pressure sodium to D65 (`tests/rgb_and_adaptation.rs`).
+    /// 3e-6 per element, whose largest is 9, from high-pressure sodium to D65 (`tests/color/rgb_and_adaptation.rs`).
     #[must_use]
     pub fn between<C: Cones>(from: Xyz, to: Xyz) -> Option<Self> {
         Self::partial::<C>(from, to, 1.0)

@@ -52,7 +52,7 @@ impl Uv1960 {
     /// today's constants reads 1.6e-5 of T higher. NaN gives NaN.
     ///
     /// # Accuracy
-    /// 0.009 mired and 2e-7 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (swept in `tests/cct.rs`);
+    /// 0.009 mired and 2e-7 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (swept in `tests/color/cct.rs`);
     /// 0.009 mired are 0.4 K at 6500 K.
     ///
     /// # Cost

@@ -33,7 +33,7 @@ impl Default for Parametric {
 ///
 /// # Accuracy
 /// 7e-7 relative, and so also for the smallest differences; within the rounding of all 34
-/// published pairs (`tests/differences.rs`). Lab components up to 1e9 in size; beyond 1e18
+/// published pairs (`tests/color/differences.rs`). Lab components up to 1e9 in size; beyond 1e18
 /// they overflow.
 ///
 /// # Reference

@@ -30,7 +30,7 @@ pub struct Cri {
 /// taken in another order, samples last, and for the reference ahead of time; the numbers are the same but for rounding.
 ///
 /// # Accuracy
-/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/rendering.rs`). TCS15, tabulated over
+/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15, tabulated over
 /// 380..=780 nm alone, is held on before it is interpolated.
 ///
 /// # Cost

@@ -51,7 +51,7 @@ impl Xyz {
     /// small that the colour is 8e34 times as large. NaN stays NaN.
     ///
     /// # Accuracy
-    /// 4e-5 on real colours, whether near grey or not (`tests/color_spaces.rs`); L\* is exactly
+    /// 4e-5 on real colours, whether near grey or not (`tests/color/spaces.rs`); L\* is exactly
     /// 0 for Y = 0 and 100 for the white.
     ///
     /// # Reference

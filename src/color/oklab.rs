@@ -40,7 +40,7 @@ impl Xyz {
     /// NaN stays NaN; components beyond 1e37 in size overflow.
     ///
     /// # Accuracy
-    /// 6e-7, and 2e-6 in XYZ for the way there and back (`tests/color_spaces.rs`).
+    /// 6e-7, and 2e-6 in XYZ for the way there and back (`tests/color/spaces.rs`).
     ///
     /// # Reference
     /// B. Ottosson, "A perceptual color space for image processing", 2020.

@@ -56,7 +56,7 @@ impl<S: RgbSpace> Rgb<S> {
     /// NaN stays NaN; components beyond 1e37 in size overflow.
     ///
     /// # Accuracy
-    /// 4e-7 (`tests/color_spaces.rs`).
+    /// 4e-7 (`tests/color/spaces.rs`).
     #[must_use]
     pub const fn from_xyz(color: Xyz) -> Self {
         let [r, g, b] = apply(&S::FROM_XYZ, color.to_array());

@@ -47,7 +47,7 @@ pub struct HueBin {
 /// body and daylight of equal Y.
 ///
 /// # Accuracy
-/// Rf and Rg are within 1.3e-4 of f64, over 63 lamps (`tests/rendering.rs`); Rg and the bins jump where a
+/// Rf and Rg are within 1.3e-4 of f64, over 63 lamps (`tests/color/rendering.rs`); Rg and the bins jump where a
 /// sample sits on the edge between two bins.
 ///
 /// # Cost

@@ -122,7 +122,7 @@ impl Transfer for Linear {
 /// # Accuracy
 /// The textbook form loses three digits to `p - c1` and `c2 - c3 p`, p being next to 1; here
 /// p - 1 is computed instead. Encoding is within 1.1e-7 absolute and 1.6e-6 relative, decoding
-/// within 7e-7 (7 millicandela) and 2.2e-6 relative from 1e-4 cd/m2 up (`tests/transfer.rs`).
+/// within 7e-7 (7 millicandela) and 2.2e-6 relative from 1e-4 cd/m2 up (`tests/color/transfer.rs`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pq;

@@ -28,7 +28,7 @@ fn quickest_sqrt(x: f32) -> f32 {
 ///
 /// # Accuracy
 /// Half a unit in the last place, for every `f32` (swept against the hardware's in
-/// `tests/every_f32.rs`).
+/// `tests/spectrum/every_f32.rs`).
 ///
 /// # Cost
 /// The core's own instruction on an Arm microcontroller with FPU, in WebAssembly with simd128 and, with the feature
@@ -84,7 +84,7 @@ pub(crate) const fn sqrt_by_digits(x: f32) -> f32 {
 /// Cube root, odd, of any finite `f32`.
 ///
 /// # Accuracy
-/// 2.4e-7 relative (four units of 2^-24; swept in `tests/every_f32.rs`).
+/// 2.4e-7 relative (four units of 2^-24; swept in `tests/spectrum/every_f32.rs`).
 ///
 /// # Cost
 /// 42 instructions on a Cortex-M4F, 61 at opt-level "s".

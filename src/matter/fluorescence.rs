@@ -36,7 +36,7 @@ use core::marker::PhantomData;
 /// # Accuracy
 /// A vest in fluorescent yellow, each on its own white, under FL1 to FL12, the CIE LEDs, D65 and A, against 1 nm in
 /// f64: 0.03 CIEDE2000 in 60 bins of the default grid, 0.09 in 31, 0.4 in 16; leaving the glow out costs 7 to 18
-/// (`tests/fluorescence.rs`). A grid that ends within the absorption loses what is beyond: 3 % of Y in daylight for
+/// (`tests/matter/fluorescence.rs`). A grid that ends within the absorption loses what is beyond: 3 % of Y in daylight for
 /// a dye that absorbs down to 360 nm, on a grid from 380 nm.
 ///
 /// # Cost

@@ -89,7 +89,7 @@ impl Dielectric {
     /// path to it.
     ///
     /// # Accuracy
-    /// For s 14 units of 2^-24, relative, however little the media differ (`tests/hard_cases_surfaces.rs`), and for
+    /// For s 14 units of 2^-24, relative, however little the media differ (`tests/matter/hard_cases_surfaces.rs`), and for
     /// p 4e-7 absolute. Below the critical angle the rounding of the cosine costs up to 1.2e-5.
     ///
     /// # Reference
@@ -200,7 +200,7 @@ impl Conductor {
     /// A cosine outside 0..=1 counts as the nearer end, a part of the index below 0 as 0.
     ///
     /// # Accuracy
-    /// For s 14 units of 2^-24, relative, and for p 5e-7 absolute (`tests/hard_cases_surfaces.rs`), but for media of
+    /// For s 14 units of 2^-24, relative, and for p 5e-7 absolute (`tests/matter/hard_cases_surfaces.rs`), but for media of
     /// n < 1 and k below 0.01: they have a critical angle, near which what f32 can say of the angle costs up to
     /// 3e-5. Within 0..=1 for every finite index.
     ///

@@ -160,7 +160,7 @@ impl<F: Reflector> Brdf for Microfacet<F> {
 ///
 /// # Accuracy
 /// Of the reflectance, relative, worst over alpha 1e-4..=1 and all directions: 1.7e-2 with 12 x 12 nodes, 8.2e-3 with
-/// 16 x 16, 2.3e-3 with 32 x 32; never above 1 for a perfect reflector (`tests/hard_cases_surfaces.rs`).
+/// 16 x 16, 2.3e-3 with 32 x 32; never above 1 for a perfect reflector (`tests/matter/hard_cases_surfaces.rs`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VisibleNormals<const RIM: usize, const PHI: usize>;
 

@@ -75,7 +75,7 @@ impl<const L: usize> Stack<L> {
     /// 5e-6 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05; thicker ones add some
     /// roundings for each turn of phase but at normal incidence, and sharp resonances magnify it. Whatever they do,
     /// the shares of clear layers add up to 1 within 2e-7, and those of absorbing ones within 1e-6
-    /// (`tests/films_properties.rs`). Layers of any thickness may absorb: nothing overflows.
+    /// (`tests/matter/films_properties.rs`). Layers of any thickness may absorb: nothing overflows.
     ///
     /// # Cost
     /// Two exponentials, a sine and a cosine for each layer.

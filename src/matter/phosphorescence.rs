@@ -67,7 +67,7 @@ impl<const N: usize, G> Phosphor<N, G> {
     ///
     /// # Accuracy
     /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26 lifetimes
-    /// are off by 3e-8 from one as long as all (`tests/fluorescence.rs`).
+    /// are off by 3e-8 from one as long as all (`tests/matter/fluorescence.rs`).
     #[cfg(feature = "libm")]
     pub fn step<P: Path<Power, N, G>>(&mut self, light: P, duration_s: f32) {
         self.step_with::<Portable, P>(light, duration_s);

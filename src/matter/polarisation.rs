@@ -96,7 +96,7 @@ impl<const N: usize, G> Priced for Mueller<N, G> {
 ///
 /// # Accuracy
 /// 8e-7 of the incident light, up to 89 degrees, and its phase 3e-7; beside the critical angle what the rounding of
-/// the cosine costs (`tests/polarisation.rs`).
+/// the cosine costs (`tests/matter/polarisation.rs`).
 ///
 /// # Cost
 /// 16 bytes for each bin and 8. Light off two mirrors to XYZ takes 800 instructions at 31 bins on a Cortex-M4F; folded into
@@ -305,7 +305,7 @@ impl<const N: usize, G: Grid> Retarder<N, G> {
     ///
     /// # Accuracy
     /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins of the
-    /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/polarisation.rs`).
+    /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarisation.rs`).
     #[must_use]
     pub const fn of_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self {
         let mut elements = [[0.0; 4]; N];

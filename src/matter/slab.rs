@@ -39,7 +39,7 @@ use crate::spectrum::{Factor, Index, Spectrum};
 ///
 /// # Accuracy
 /// Reflectance and transmittance 4e-7 and what is absorbed 2e-7, absolute, at every angle; reflected, transmitted and
-/// absorbed add up to 1 within 3.5e-7 (`tests/slab.rs`).
+/// absorbed add up to 1 within 3.5e-7 (`tests/matter/slab.rs`).
 ///
 /// # Cost
 /// 8 bytes for each bin and 4; a bin takes an exp, an expm1 and three square roots at each angle. A window that

@@ -22,7 +22,7 @@ include!(concat!(env!("OUT_DIR"), "/observers.rs"));
 ///
 /// # Accuracy
 /// The XYZ functions that CIE 170-2 makes of them are within 2e-3 of its own at 1 nm, whose peaks are 1 to 2
-/// (`tests/eyes_and_samples.rs`).
+/// (`tests/spectrum/eyes_and_samples.rs`).
 ///
 /// # Reference
 /// CIE 170-1:2006; CC BY-SA 4.0.

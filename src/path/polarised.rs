@@ -57,7 +57,7 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarised<N, G> for Stokes<P> {
 ///
 /// # Accuracy
 /// 3e-7 of the light that meets it, for each element; I is at least the root of Q^2 + U^2 + V^2 to within that
-/// (`tests/polarisation.rs`). Next to extinction, where a difference is left, that is more of what is left.
+/// (`tests/matter/polarisation.rs`). Next to extinction, where a difference is left, that is more of what is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Stokes<P>(P);
 

@@ -13,7 +13,7 @@ use core::marker::PhantomData;
 /// # Accuracy
 /// Products of colours are not colours of products. The 99 samples of CIE 224 under FL1 to FL12, each sample as its
 /// colour under D65 and each lamp as its colour, are off by 4.6 CIEDE2000 in the mean and by up to 18.8 in sRGB, by 3.8
-/// and up to 12.3 in ACEScg (`tests/path.rs`).
+/// and up to 12.3 in ACEScg (`tests/path/chain.rs`).
 ///
 /// ```
 /// use nanospectra::color::{Rgb, Srgb};

@@ -27,7 +27,7 @@ use crate::radiometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 /// ```
 ///
 /// # Accuracy
-/// Lengths and right angles of the axes to 2e-7, and so what is taken there and back (`tests/frames.rs`).
+/// Lengths and right angles of the axes to 2e-7, and so what is taken there and back (`tests/radiometry/frames.rs`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame {

@@ -129,7 +129,7 @@ pub struct Cosine<const MU: usize, const PHI: usize>;
 /// Gauss's nodes in the cosine of the zenith angle, equal azimuths: the rule for what is smooth.
 ///
 /// # Accuracy
-/// 8 rings integrate Fresnel's reflectance of glass to 2e-8 (`tests/hard_cases_surfaces.rs`), and rough
+/// 8 rings integrate Fresnel's reflectance of glass to 2e-8 (`tests/matter/hard_cases_surfaces.rs`), and rough
 /// microfacets (alpha from 0.5, up to 70 degrees from the normal) to 4e-4 with 8 x 32 nodes. Not for gloss: at
 /// alpha = 0.05 even 32 x 32 nodes can miss three quarters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -31,7 +31,7 @@ use core::fmt;
 ///
 /// What a calibration is worth is another matter: an AS7341 fitted to the 99 samples of CIE 224 under FL2, FL11
 /// and LED-B3 measures the lamps of CIE 15 within 0.8 % in illuminance and 1.4 % in CCT in the mean, 5 and 11 %
-/// at worst, under red-green-blue LEDs and discharge lamps (`tests/sensor_as7341.rs`, with noise). Its residual
+/// at worst, under red-green-blue LEDs and discharge lamps (`tests/sensor/as7341.rs`, with noise). Its residual
 /// on the patches, 0.7 % of Y, does not tell: lamps of the kind to be measured belong among the patches.
 ///
 /// # Cost

@@ -104,7 +104,7 @@ where
 ///
 /// # Accuracy
 /// 4e-5 of the amplitude for up to 1000 readings with a period of 100 or fewer, each period a whole number of them
-/// (swept in `tests/sensor_measures.rs`). At exactly two readings in a period it depends on the phase.
+/// (swept in `tests/sensor/measures.rs`). At exactly two readings in a period it depends on the phase.
 ///
 /// # Cost
 /// One multiplication for each reading.

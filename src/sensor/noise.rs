@@ -167,7 +167,7 @@ impl XyzCovariance {
     /// infinite temperature, and from the centre of curvature of the locus, which is 0.05 or more away.
     ///
     /// # Accuracy
-    /// 1.6 % of colour temperature, 0.4 % of Duv (swept in `tests/sensor_measures.rs`): the slopes are central
+    /// 1.6 % of colour temperature, 0.4 % of Duv (swept in `tests/sensor/measures.rs`): the slopes are central
     /// differences of [`Uv1960::cct`] over 1e-3 in u and in v, one-sided ones beside the ends of its range.
     ///
     /// # Cost

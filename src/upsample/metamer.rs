@@ -27,7 +27,7 @@ use crate::spectrum::{Factor, Quantity, Spectrum};
 /// ```
 ///
 /// # Accuracy
-/// The black reads 3e-6 of what the spectrum reads (`tests/upsample_displays.rs`).
+/// The black reads 3e-6 of what the spectrum reads (`tests/upsample/displays.rs`).
 ///
 /// # Reference
 /// J. B. Cohen, W. E. Kappauf, "Metameric color stimuli, fundamental metamers, and Wyszecki's metameric

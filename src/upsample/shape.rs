@@ -34,7 +34,7 @@ impl Shape {
     /// ```
     ///
     /// # Accuracy
-    /// Of the sigmoid itself 3.4e-7 relative, however near to 0 (`tests/upsample_digits.rs`).
+    /// Of the sigmoid itself 3.4e-7 relative, however near to 0 (`tests/upsample/digits.rs`).
     #[must_use]
     #[inline]
     pub fn at(self, nm: f32) -> f32 {

@@ -27,7 +27,7 @@ use core::marker::PhantomData;
 /// # Accuracy
 /// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81 every one of the 2^24
 /// 8-bit sRGB colours comes back as its code, for the 2 degree eye, within 0.00042 (`Cubic`), 0.00035 (`Linear`) and 0.00034 CIEDE2000 (`Quintic`)
-/// (`tests/upsample_all.rs`). Of a 17^3 cube, encoded by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020
+/// (`tests/upsample/all.rs`). Of a 17^3 cube, encoded by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020
 /// 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4 % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values
 /// of BT.1886 74.6 %); the others are outside what sigmoids of a quadratic can be, and say so. With fewer than 31
 /// bands, or wider than 10 nm, more colours need damped steps (N = 16: none of sRGB is missed).

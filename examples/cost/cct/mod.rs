@@ -4,11 +4,11 @@ mod printed;
 
 use crate::cells::{COUNTED, TIME, beaten, bytes, counted, largest};
 use crate::clock::nanoseconds;
-use crate::model::cct::uv_at;
 use crate::report::{Cell, Column, Table};
 use crate::studies::Effort;
 use crate::yardstick::cct::{ISOTHERMS, mccamy, ohno, robertson};
 use crate::yardstick::locus_1_percent::LOCUS;
+use model::cct::uv_at;
 use nanospectra::color::Uv1960;
 use printed::Printed;
 use std::hint::black_box;

@@ -1,6 +1,6 @@
 //! Ohno's method as it is printed: with squares and their differences, in f32, on a table of any step.
 
-use crate::model::cct::planckian_uv;
+use model::cct::planckian_uv;
 
 /// His correction for the curvature of the locus, for steps of 1 %; it goes with the square of the step.
 const CORRECTION: f32 = 9e-5;

@@ -3,8 +3,8 @@
 use super::scenes::{LAMPS, SCENES, under};
 use crate::answer::{Answer, answer_on};
 use crate::cells::{COUNTED, RANGE, beaten, counted, range};
-use crate::model::delta_e::de2000;
 use crate::report::{Cell, Column, Table};
+use model::delta_e::de2000;
 use nanospectra::{Bins, Grid, Nodes};
 
 pub fn table() -> Table {

@@ -2,13 +2,13 @@
 
 use crate::cells::{TIME, beaten};
 use crate::clock::nanoseconds;
-use crate::model::delta_e::de2000;
-use crate::model::film::{airy, mean};
-use crate::model::lab::lab;
-use crate::model::tables::Observer as Eye;
 use crate::nanometres::{Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
 use crate::studies::Effort;
+use model::delta_e::de2000;
+use model::film::{airy, mean};
+use model::lab::lab;
+use model::tables::Observer as Eye;
 use nanospectra::light::D65;
 use nanospectra::matter::ThinFilm;
 use nanospectra::observer::CIE_1931;

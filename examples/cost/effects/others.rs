@@ -2,9 +2,9 @@
 
 use super::scenes::LAMPS;
 use crate::cells::{RANGE, range};
-use crate::model::delta_e::de2000;
-use crate::model::lab::lab;
 use crate::report::{Cell, Column, Table};
+use model::delta_e::de2000;
+use model::lab::lab;
 use nanospectra::color::Xyz;
 use nanospectra::light;
 use nanospectra::matter::{CES, Dielectric, Glass, Mirror, N_SF11, Polariser};

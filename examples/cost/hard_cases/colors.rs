@@ -3,7 +3,7 @@
 use super::claim::Naive::{Fails, Holds};
 use super::claim::{Claim, Off, absolute, relative, share};
 use super::hard::color::STEEP;
-use crate::model::{cct, delta_e, transfer};
+use model::{cct, delta_e, transfer};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -15,7 +15,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "4 e",
         naive: Fails,
-        test: "upsample_digits::the_sigmoid_keeps_its_digits_at_both_ends",
+        test: "upsample/digits::the_sigmoid_keeps_its_digits_at_both_ends",
         judge: |at, got| relative(got, &[sigmoid(at[0])]),
     },
     Claim {
@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "upsample_digits::the_sigmoid_keeps_its_digits_at_both_ends",
+        test: "upsample/digits::the_sigmoid_keeps_its_digits_at_both_ends",
         judge: |at, got| absolute(got, &[if at[0] > 0.0 { 1.0 } else { 0.0 }]),
     },
     Claim {
@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "upsample_digits::a_polynomial_of_the_wavelength_keeps_its_digits",
+        test: "upsample/digits::a_polynomial_of_the_wavelength_keeps_its_digits",
         judge: |at, got| {
             let [a, b, c] = STEEP.map(f64::from);
             let x = (at[0] - 580.0) / 200.0;
@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases::cube_roots_of_lab_are_better_than_a_power",
+        test: "spectrum/hard_cases::cube_roots_of_lab_are_better_than_a_power",
         judge: |at, got| relative(got, &[at[0].cbrt()]),
     },
     Claim {
@@ -67,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "0",
         naive: Fails,
-        test: "color_spaces::lightness_has_no_jump_at_the_knee",
+        test: "color/spaces::lightness_has_no_jump_at_the_knee",
         judge: |_, got| absolute(&[got[1] - got[0]], &[0.0]),
     },
     Claim {
@@ -79,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e, 0 for 0",
         asked: "",
         naive: Fails,
-        test: "color_spaces::negative_tristimulus_values_are_on_the_straight_line",
+        test: "color/spaces::negative_tristimulus_values_are_on_the_straight_line",
         judge: |at, got| {
             let (knee, kappa) = (216.0 / 24389.0, 24389.0 / 27.0);
             relative(got, &[if at[0] > knee { 116.0 * at[0].cbrt() - 16.0 } else { kappa * at[0] }])
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "color_spaces::no_finite_color_has_a_nan_in_lab_or_luv",
+        test: "color/spaces::no_finite_color_has_a_nan_in_lab_or_luv",
         judge: |_, got| absolute(got, &[0.0]),
     },
     Claim {
@@ -106,7 +106,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "color_spaces::black_and_white_are_exact",
+        test: "color/spaces::black_and_white_are_exact",
         judge: |_, got| absolute(got, &[0.0; 3]),
     },
     Claim {
@@ -118,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "color_spaces::lab_relative_to_a_red_laser_is_undefined_but_luv_is_not",
+        test: "color/spaces::lab_relative_to_a_red_laser_is_undefined_but_luv_is_not",
         judge: |_, got| absolute(got, &[0.0]),
     },
     Claim {
@@ -130,7 +130,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Holds,
-        test: "transfer::knees_are_those_of_the_standards",
+        test: "color/transfer::knees_are_those_of_the_standards",
         judge: |_, got| absolute(got, &[0.0]),
     },
     Claim {
@@ -142,7 +142,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "transfer::there_and_back_again",
+        test: "color/transfer::there_and_back_again",
         judge: |at, got| absolute(got, &[at[0]]),
     },
     Claim {
@@ -154,7 +154,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "codes of 16 bits",
         asked: "",
         naive: Fails,
-        test: "transfer::every_curve_follows_the_model",
+        test: "color/transfer::every_curve_follows_the_model",
         judge: |at, got| {
             absolute(got, &[transfer::srgb_encode(at[0].abs()).copysign(at[0])]).per(1.0 / 65535.0)
         },
@@ -168,7 +168,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Holds,
-        test: "differences::de00::all_published_pairs_agree",
+        test: "color/differences::de00::all_published_pairs_agree",
         judge: difference,
     },
     Claim {
@@ -180,7 +180,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "4e-5",
         naive: Holds,
-        test: "differences::de00::near_pairs_are_as_exact_as_far_ones",
+        test: "color/differences::de00::near_pairs_are_as_exact_as_far_ones",
         judge: difference,
     },
     Claim {
@@ -192,7 +192,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "differences::de00::near_pairs_are_as_exact_as_far_ones",
+        test: "color/differences::de00::near_pairs_are_as_exact_as_far_ones",
         judge: |at, got| share(got, &[exact_difference(at)]),
     },
     Claim {
@@ -204,7 +204,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "differences::de00::all_published_pairs_agree",
+        test: "color/differences::de00::all_published_pairs_agree",
         judge: difference,
     },
     Claim {
@@ -216,7 +216,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "differences::de00::greys_and_large_chromas_are_finite",
+        test: "color/differences::de00::greys_and_large_chromas_are_finite",
         judge: |at, got| share(got, &[exact_difference(at)]),
     },
     Claim {
@@ -228,7 +228,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "cct::every_temperature_from_1000_to_a_million_kelvin_is_found_at_every_duv",
+        test: "color/cct::every_temperature_from_1000_to_a_million_kelvin_is_found_at_every_duv",
         judge: mired,
     },
     Claim {
@@ -240,7 +240,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "cct::every_temperature_from_1000_to_a_million_kelvin_is_found_at_every_duv",
+        test: "color/cct::every_temperature_from_1000_to_a_million_kelvin_is_found_at_every_duv",
         judge: mired,
     },
     Claim {
@@ -252,7 +252,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "cct::every_temperature_from_1000_to_a_million_kelvin_is_found_at_every_duv",
+        test: "color/cct::every_temperature_from_1000_to_a_million_kelvin_is_found_at_every_duv",
         judge: mired,
     },
     Claim {
@@ -264,7 +264,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "cct::beyond_the_band_there_is_a_reason_and_no_number",
+        test: "color/cct::beyond_the_band_there_is_a_reason_and_no_number",
         judge: |_, got| absolute(got, &[0.0]),
     },
 ];

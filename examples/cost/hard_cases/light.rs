@@ -2,7 +2,7 @@
 
 use super::claim::Naive::{Fails, Holds};
 use super::claim::{Claim, Off, absolute, relative, share};
-use crate::model::{geometry, planck};
+use model::{geometry, planck};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -14,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "(3x + 8) e",
         asked: "",
         naive: Holds,
-        test: "hard_cases::planck_is_right_wherever_light_is_seen",
+        test: "spectrum/hard_cases::planck_is_right_wherever_light_is_seen",
         judge: radiance,
     },
     Claim {
@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "4 e",
         naive: Fails,
-        test: "hard_cases::planck_holds_at_a_trillion_kelvin_and_for_x_rays",
+        test: "spectrum/hard_cases::planck_holds_at_a_trillion_kelvin_and_for_x_rays",
         judge: |at, got| relative(got, &[1e-9 * planck::radiance(at[0], at[1])]),
     },
     Claim {
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "4 e",
         naive: Fails,
-        test: "hard_cases::planck_holds_at_a_trillion_kelvin_and_for_x_rays",
+        test: "spectrum/hard_cases::planck_holds_at_a_trillion_kelvin_and_for_x_rays",
         judge: |at, got| {
             let exact = 1e-9 * planck::radiance(at[0], at[1]);
             if exact < 1e-38 { absolute(got, &[0.0]) } else { relative(got, &[exact]) }
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "(3x + 8) e, 0 below 1e-38",
         asked: "(x + 6) e",
         naive: Fails,
-        test: "hard_cases::planck_fades_out_instead_of_stopping_where_the_exponential_overflows",
+        test: "spectrum/hard_cases::planck_fades_out_instead_of_stopping_where_the_exponential_overflows",
         judge: |at, got| {
             let exact = 1e-9 * planck::radiance(at[0], at[1]);
             if exact < 1e-38 { absolute(got, &[0.0]) } else { radiance(at, got) }
@@ -68,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "(4|Δx| + 12) e",
         asked: "(|Δx| + 8) e",
         naive: Fails,
-        test: "hard_cases::the_shape_of_a_black_body_is_right_where_both_ends_underflow",
+        test: "spectrum/hard_cases::the_shape_of_a_black_body_is_right_where_both_ends_underflow",
         judge: |at, got| {
             let ln = |nm| planck::ln_radiance(nm, at[1]);
             let dx = planck::x(at[0], at[1]) - planck::x(560.0, at[1]);
@@ -84,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "(3x + 8) e",
         asked: "",
         naive: Fails,
-        test: "hard_cases::micromath_is_no_backend_for_colour",
+        test: "spectrum/hard_cases::micromath_is_no_backend_for_colour",
         judge: radiance,
     },
     Claim {
@@ -96,7 +96,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::narrow_cones_keep_their_solid_angle",
+        test: "radiometry/hard_cases::narrow_cones_keep_their_solid_angle",
         judge: |at, got| relative(got, &[geometry::cone(at[0])]),
     },
     Claim {
@@ -108,7 +108,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "4 e",
         naive: Fails,
-        test: "hard_cases_geometry::far_spheres_keep_their_solid_angle",
+        test: "radiometry/hard_cases::far_spheres_keep_their_solid_angle",
         judge: |at, got| relative(got, &[geometry::sphere(at[0], at[1])]),
     },
     Claim {
@@ -120,7 +120,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::far_coaxial_discs_keep_their_form_factor",
+        test: "radiometry/hard_cases::far_coaxial_discs_keep_their_form_factor",
         judge: |at, got| relative(got, &[geometry::coaxial_discs(at[0], at[1], 1.0)]),
     },
     Claim {
@@ -132,7 +132,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::small_triangles_keep_their_solid_angle",
+        test: "radiometry/hard_cases::small_triangles_keep_their_solid_angle",
         judge: small_triangle,
     },
     Claim {
@@ -144,7 +144,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::small_triangles_keep_their_solid_angle",
+        test: "radiometry/hard_cases::small_triangles_keep_their_solid_angle",
         judge: small_triangle,
     },
     Claim {
@@ -156,7 +156,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::small_triangles_keep_their_solid_angle",
+        test: "radiometry/hard_cases::small_triangles_keep_their_solid_angle",
         judge: small_triangle,
     },
     Claim {
@@ -168,7 +168,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::huge_triangles_fill_the_hemisphere",
+        test: "radiometry/hard_cases::huge_triangles_fill_the_hemisphere",
         judge: |at, got| relative(got, &[geometry::triangle(corners(at))]),
     },
     Claim {
@@ -180,7 +180,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_geometry::triangles_without_a_view_are_zero",
+        test: "radiometry/hard_cases::triangles_without_a_view_are_zero",
         judge: |_, got| absolute(got, &[0.0]),
     },
 ];

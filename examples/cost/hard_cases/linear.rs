@@ -3,12 +3,12 @@
 use super::claim::Naive::{Fails, Holds};
 use super::claim::{Claim, Off, absolute, in_eps, relative, share};
 use super::hard::sensor::{AS7341, COUNTED, Chip, SMOOTH, WIDE};
-use crate::model::delta_e::de2000;
-use crate::model::fine::Curve;
-use crate::model::interpolation::Outside;
-use crate::model::lab::lab;
-use crate::model::tables::{self, source};
-use crate::model::{film, sensor};
+use model::delta_e::de2000;
+use model::fine::Curve;
+use model::interpolation::Outside;
+use model::lab::lab;
+use model::tables::{self, source};
+use model::{film, sensor};
 use nanospectra::light::D65;
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases::sums_of_471_81_and_31_terms_round_like_eight_short_ones",
+        test: "spectrum/hard_cases::sums_of_471_81_and_31_terms_round_like_eight_short_ones",
         judge: products,
     },
     Claim {
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Holds,
-        test: "hard_cases::sums_of_471_81_and_31_terms_round_like_eight_short_ones",
+        test: "spectrum/hard_cases::sums_of_471_81_and_31_terms_round_like_eight_short_ones",
         judge: products,
     },
     Claim {
@@ -50,7 +50,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases::sums_of_471_81_and_31_terms_round_like_eight_short_ones",
+        test: "spectrum/hard_cases::sums_of_471_81_and_31_terms_round_like_eight_short_ones",
         judge: products,
     },
     Claim {
@@ -62,7 +62,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases::sums_keep_their_accuracy_from_1e_minus_30_to_1e30",
+        test: "spectrum/hard_cases::sums_keep_their_accuracy_from_1e_minus_30_to_1e30",
         judge: |at, got| {
             let exact = CIE_1931.weights().map(|row| at[0] * row.iter().map(|w| f64::from(*w)).sum::<f64>());
             relative(got, &exact.map(|v| if v > f32::MAX.into() { f64::INFINITY } else { v }))
@@ -77,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases::sums_are_the_same_on_cores_that_flush_subnormals",
+        test: "spectrum/hard_cases::sums_are_the_same_on_cores_that_flush_subnormals",
         judge: |_, got| {
             let mut share_of = 1.0f32;
             let light = [(); 471].map(|()| {
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_films::thin_absorbers_keep_what_they_absorb",
+        test: "matter/hard_cases_films::thin_absorbers_keep_what_they_absorb",
         judge: |at, got| relative(got, &[-(-at[0]).exp_m1()]),
     },
     Claim {
@@ -111,7 +111,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_films::the_phase_of_a_film_is_right_up_to_ten_centimetres",
+        test: "matter/hard_cases_films::the_phase_of_a_film_is_right_up_to_ten_centimetres",
         judge: |at, got| absolute(got, &[(TAU * (2.0 * at[0] * at[1] / at[2]).fract()).cos()]),
     },
     Claim {
@@ -123,7 +123,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "8 e",
         naive: Fails,
-        test: "hard_cases_films::films_thinner_than_an_atom_still_reflect_what_they_should",
+        test: "matter/hard_cases_films::films_thinner_than_an_atom_still_reflect_what_they_should",
         judge: |at, got| relative(got, &film::airy([1.0, f64::from(1.33f32), 1.0], at[0], at[1], 1.0)[..1]),
     },
     Claim {
@@ -135,7 +135,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_films::the_colour_of_a_thick_film_needs_the_mean_over_bins",
+        test: "matter/hard_cases_films::the_colour_of_a_thick_film_needs_the_mean_over_bins",
         judge: |at, got| {
             let [truth, white] = soap(at[0]);
             absolute(&[de2000(lab(truth, white), lab([got[0], got[1], got[2]], white))], &[0.0])
@@ -150,7 +150,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "sensor_reconstruction::the_matrices_are_those_of_f64_down_to_the_smallest_alpha",
+        test: "sensor/reconstruction::the_matrices_are_those_of_f64_down_to_the_smallest_alpha",
         judge: |at, got| of_largest(got, &spectrum(&AS7341, 0.0, at[0])),
     },
     Claim {
@@ -162,7 +162,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "sensor_reconstruction::the_matrices_are_those_of_f64_down_to_the_smallest_alpha",
+        test: "sensor/reconstruction::the_matrices_are_those_of_f64_down_to_the_smallest_alpha",
         judge: |at, got| of_largest(got, &spectrum(&WIDE, SMOOTH.into(), at[0])),
     },
     Claim {
@@ -174,7 +174,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "sensor_reconstruction::what_cannot_be_told_is_refused",
+        test: "sensor/reconstruction::what_cannot_be_told_is_refused",
         judge: |_, got| absolute(got, &[0.0]),
     },
     Claim {
@@ -186,7 +186,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "sensor_as7341::eight_channels_to_xyz_are_a_tenth_of_a_difference_off",
+        test: "sensor/as7341::eight_channels_to_xyz_are_a_tenth_of_a_difference_off",
         judge: |_, got| absolute(&samples(got), &[0.0; 49]),
     },
     Claim {
@@ -198,7 +198,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "sensor_as7341::eight_channels_to_xyz_are_a_tenth_of_a_difference_off",
+        test: "sensor/as7341::eight_channels_to_xyz_are_a_tenth_of_a_difference_off",
         judge: |_, got| absolute(&[samples(got).iter().sum::<f64>() / 49.0], &[0.0]),
     },
 ];
@@ -215,7 +215,7 @@ fn soap(d: f64) -> [[f64; 3]; 2] {
     if let Some((_, seen)) = known.iter().find(|(of, _)| *of == d) {
         return *seen;
     }
-    let curve = |samples: crate::model::interpolation::Samples| Curve::new(samples.points(), Outside::Zero);
+    let curve = |samples: model::interpolation::Samples| Curve::new(samples.points(), Outside::Zero);
     let (light, rows) = (curve(source("D65")), tables::Observer::Cie1931.published().map(curve));
     let (mut film, mut white) = ([0.0; 3], [0.0; 3]);
     for nm in 360..830 {

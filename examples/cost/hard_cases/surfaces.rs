@@ -2,7 +2,7 @@
 
 use super::claim::Naive::Fails;
 use super::claim::{Claim, Off, absolute, relative, share};
-use crate::model::{fresnel, surface};
+use model::{fresnel, surface};
 use nanospectra::radiometry::Direction;
 use std::f64::consts::PI;
 
@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::fresnel_holds_for_media_that_hardly_differ",
+        test: "matter/hard_cases_surfaces::fresnel_holds_for_media_that_hardly_differ",
         judge: |at, got| relative(got, &reflectances(at[0], 0.0, at[1])),
     },
     Claim {
@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::fresnel_holds_for_media_that_hardly_differ",
+        test: "matter/hard_cases_surfaces::fresnel_holds_for_media_that_hardly_differ",
         judge: |at, got| relative(got, &reflectances(at[0], 0.0, at[1])),
     },
     Claim {
@@ -40,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::beyond_the_critical_angle_all_is_reflected_and_just_below_nearly_so",
+        test: "matter/hard_cases_surfaces::beyond_the_critical_angle_all_is_reflected_and_just_below_nearly_so",
         judge: |_, got| absolute(got, &[1.0, 1.0]),
     },
     Claim {
@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::beyond_the_critical_angle_all_is_reflected_and_just_below_nearly_so",
+        test: "matter/hard_cases_surfaces::beyond_the_critical_angle_all_is_reflected_and_just_below_nearly_so",
         judge: |at, got| absolute(got, &reflectances(at[0], 0.0, at[1])),
     },
     Claim {
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::no_boundary_reflects_nothing_and_grazing_light_is_all_reflected",
+        test: "matter/hard_cases_surfaces::no_boundary_reflects_nothing_and_grazing_light_is_all_reflected",
         judge: |_, got| absolute(got, &[0.0, 0.0]),
     },
     Claim {
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::metals_reflect_and_absorb_right_down_to_the_best_of_mirrors",
+        test: "matter/hard_cases_surfaces::metals_reflect_and_absorb_right_down_to_the_best_of_mirrors",
         judge: |at, got| relative(got, &reflectances(at[0], at[1], at[2])),
     },
     Claim {
@@ -88,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "own formula",
         naive: Fails,
-        test: "hard_cases_surfaces::metals_reflect_and_absorb_right_down_to_the_best_of_mirrors",
+        test: "matter/hard_cases_surfaces::metals_reflect_and_absorb_right_down_to_the_best_of_mirrors",
         judge: |at, got| {
             let (s, p) = fresnel::absorbed([at[0], at[1]], at[2]);
             relative(got, &[s, p])
@@ -103,7 +103,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "finite",
         naive: Fails,
-        test: "hard_cases_surfaces::metals_of_any_index_stay_finite",
+        test: "matter/hard_cases_surfaces::metals_of_any_index_stay_finite",
         judge: |at, got| relative(got, &reflectances(at[0], at[1], at[2])),
     },
     Claim {
@@ -115,7 +115,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::metals_reflect_and_absorb_right_down_to_the_best_of_mirrors",
+        test: "matter/hard_cases_surfaces::metals_reflect_and_absorb_right_down_to_the_best_of_mirrors",
         judge: |at, got| relative(got, &reflectances(at[0], at[1], at[2])[..1]),
     },
     Claim {
@@ -127,7 +127,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::the_density_of_facets_holds_at_its_peak_however_sharp",
+        test: "matter/hard_cases_surfaces::the_density_of_facets_holds_at_its_peak_however_sharp",
         judge: |at, got| {
             let wm = Direction::spherical(at[1] as f32, 0.7).to_array().map(f64::from);
             relative(got, &[surface::ggx_d(at[0], wm)])
@@ -142,7 +142,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "no NaN",
         naive: Fails,
-        test: "hard_cases_surfaces::no_roughness_makes_facets_infinite",
+        test: "matter/hard_cases_surfaces::no_roughness_makes_facets_infinite",
         judge: |_, got| relative(got, &[1.0 / (PI * 1e-8)]),
     },
     Claim {
@@ -154,7 +154,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "finite",
         naive: Fails,
-        test: "hard_cases_surfaces::grazing_light_leaves_brdfs_finite_and_light_from_below_gives_nothing",
+        test: "matter/hard_cases_surfaces::grazing_light_leaves_brdfs_finite_and_light_from_below_gives_nothing",
         judge: |at, got| over(at, got, |wo, wi| surface::ggx_f(at[0], wo, wi)),
     },
     Claim {
@@ -166,7 +166,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::grazing_light_leaves_brdfs_finite_and_light_from_below_gives_nothing",
+        test: "matter/hard_cases_surfaces::grazing_light_leaves_brdfs_finite_and_light_from_below_gives_nothing",
         judge: |at, got| {
             let finite = got[0].is_finite() && got[0] >= 0.0;
             if at[1] > 0.0 && at[2] > 0.0 && finite { absolute(got, got) } else { absolute(got, &[0.0]) }
@@ -181,7 +181,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "e",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::oren_and_nayar_without_roughness_are_lambert_to_the_bit",
+        test: "matter/hard_cases_surfaces::oren_and_nayar_without_roughness_are_lambert_to_the_bit",
         judge: |at, got| over(at, got, |_, _| 0.5 / PI),
     },
     Claim {
@@ -193,7 +193,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::visible_normals_find_the_light_at_every_roughness",
+        test: "matter/hard_cases_surfaces::visible_normals_find_the_light_at_every_roughness",
         judge: |at, got| share(got, &[surface::ggx_rho(at[0], at[1], 200)]),
     },
     Claim {
@@ -205,7 +205,7 @@ pub const CLAIMS: &[Claim] = &[
         unit: "",
         asked: "",
         naive: Fails,
-        test: "hard_cases_surfaces::eight_rings_give_the_diffuse_reflectance_of_glass",
+        test: "matter/hard_cases_surfaces::eight_rings_give_the_diffuse_reflectance_of_glass",
         judge: |at, got| {
             let steps = 20_000;
             let cosines = (0..steps).map(|k| (f64::from(k) + 0.5) / f64::from(steps));

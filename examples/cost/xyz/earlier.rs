@@ -5,8 +5,8 @@ use super::scheme::Scheme;
 use super::see::{Outcome, RANGES};
 use super::variant;
 use super::world::World;
-use crate::model::fold::Reconstruction;
 use crate::report::{Cell, Column, Table};
+use model::fold::Reconstruction;
 use nanospectra::Curve;
 
 /// Its tables; the header says more.

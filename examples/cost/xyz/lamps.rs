@@ -1,7 +1,7 @@
 //! The lamps, by the kind of their spectra: what one kind forgives, another does not.
 
-use crate::model::planck::{C2_CIE, relative};
-use crate::model::tables::source;
+use model::planck::{C2_CIE, relative};
+use model::tables::source;
 
 /// A lamp: (nm, power), joined by straight lines, nothing outside.
 pub struct Lamp {

@@ -2,9 +2,9 @@
 
 use super::lamps::{CLASSES, Class};
 use super::world::{CES, FILTERS, Lamp, TWO_BOUNCES, World};
-use crate::model::chromaticity::uv1976;
-use crate::model::delta_e::de2000;
-use crate::model::lab::lab;
+use model::chromaticity::uv1976;
+use model::delta_e::de2000;
+use model::lab::lab;
 use nanospectra::color::Xyz;
 
 /// What is nearer to 0 is rounding below the range of the crate: averages of a tail of 1e-42 may be -1e-45.

@@ -4,12 +4,12 @@ use super::lamps::{CLASSES, Class};
 use super::scheme::Scheme;
 use super::see::Range;
 use super::world::{CES, Lamp, Points, World};
-use crate::model::delta_e::de2000;
-use crate::model::fine::{Curve, FineEye, nodes};
-use crate::model::fold::{EqualBins, Reconstructed, Reconstruction};
-use crate::model::interpolation::Outside;
-use crate::model::lab::lab;
-use crate::model::tables::Observer;
+use model::delta_e::de2000;
+use model::fine::{Curve, FineEye, nodes};
+use model::fold::{EqualBins, Reconstructed, Reconstruction};
+use model::interpolation::Outside;
+use model::lab::lab;
+use model::tables::Observer;
 
 /// Mean CIEDE2000 of each class but lines, the curve through the bins drawn in this way.
 pub fn means(

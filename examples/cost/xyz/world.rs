@@ -2,10 +2,10 @@
 //! that join the data.
 
 use super::lamps::{self, Class};
-use crate::model::fine::{Curve, FineEye, values};
-use crate::model::interpolation::Outside;
-use crate::model::lab::lab;
-use crate::model::tables::{Observer, samples};
+use model::fine::{Curve, FineEye, values};
+use model::interpolation::Outside;
+use model::lab::lab;
+use model::tables::{Observer, samples};
 use nanospectra::color::{Rgb, Srgb, Xyz};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Factor, Fine, FineObserver, Interpolation, Outside as Beyond, Power};
@@ -68,7 +68,7 @@ impl World {
         let lamps: Vec<Lamp> = lamps::all().into_iter().map(|lamp| Lamp::new(lamp, &sets)).collect();
         let daylight = FineEye::new(
             Observer::Cie1931,
-            &Curve::new(crate::model::tables::source("D65").points(), Outside::Zero),
+            &Curve::new(model::tables::source("D65").points(), Outside::Zero),
         );
         let rgb = ces.iter().map(|(_, values)| in_srgb(daylight.sees_values(values))).collect();
         World { lamps, sets, rgb }

@@ -26,7 +26,6 @@
 //! `tests/devices.sh` of the main crate asks all of them, and runs `tests/on_target.rs` on a host and on every board.
 #![no_std]
 
-pub mod bits;
 #[cfg(target_os = "none")]
 pub mod clock;
 #[cfg(all(target_os = "none", feature = "instrument"))]

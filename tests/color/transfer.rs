@@ -1,0 +1,208 @@
+//! Transfer functions: golden 12, the f64 model, knees, round trips, 8-bit codes.
+#![cfg(feature = "libm")]
+
+use model::allowed::{Singles, check};
+use model::csv::golden;
+use model::transfer as reference;
+use nanospectra::color::transfer::{Adobe, Bt1886, Hlg, Linear, Pq, Srgb, Transfer, from_u8, to_u8};
+use nanospectra::color::{AdobeRgb, EncodedRgb, Rgb};
+use proptest::prelude::*;
+
+#[test]
+fn golden_values_agree() {
+    let mut all = [
+        ("sRGB_oetf", Srgb::encode as fn(f32) -> f32, "sRGB encode, golden 12"),
+        ("sRGB_eotf", Srgb::decode, "sRGB decode, golden 12"),
+        ("Adobe_enc", Adobe::encode, "Adobe encode, golden 12"),
+        ("Adobe_dec", Adobe::decode, "Adobe decode, golden 12"),
+        ("gamma2.4", Bt1886::decode, "BT.1886 decode, golden 12"),
+        ("PQ_inv_eotf", Pq::encode, "PQ encode, golden 12"),
+        ("PQ_eotf", Pq::decode, "PQ decode, golden 12"),
+        ("HLG_oetf", Hlg::encode, "HLG encode, golden 12"),
+        ("HLG_inv", Hlg::decode, "HLG decode, golden 12"),
+    ]
+    .map(|(column, function, what)| (column, function, check(what)));
+    for row in golden("12_transfer_functions").rows() {
+        for (column, function, check) in &mut all {
+            check.add(&row.place(), function(row.number("v") as f32), row.number(column));
+        }
+    }
+    all.into_iter().for_each(|(.., check)| check.tight(66));
+}
+
+/// How long the [`sweep`] is.
+const SWEPT: usize = 100_001 + 30 * 64;
+
+/// 0 to 1 in equal steps, then the octaves down to 2^-30, where a curve is steepest.
+fn sweep() -> impl Iterator<Item = f32> {
+    let even = (0..=100_000_u32).map(|k| k as f32 / 100_000.0);
+    let low =
+        (0..30).flat_map(|octave| (0..64).map(move |k| (1.0 + k as f32 / 64.0) / (2u64 << octave) as f32));
+    even.chain(low)
+}
+
+fn swept(what: &'static str, function: fn(f32) -> f32, model: fn(f64) -> f64) {
+    let mut curve = check(what);
+    sweep().for_each(|v| curve.add(&format!("{v}"), function(v), model(f64::from(v))));
+    curve.tight(SWEPT);
+}
+
+#[test]
+fn every_curve_follows_the_model() {
+    swept("sRGB encode, swept", Srgb::encode, reference::srgb_encode);
+    swept("sRGB decode, swept", Srgb::decode, reference::srgb_decode);
+    swept("BT.1886 decode, swept", Bt1886::decode, reference::bt1886_decode);
+    swept("BT.1886 encode, swept", Bt1886::encode, |v| v.powf(1.0 / 2.4));
+    swept("Adobe encode, swept", Adobe::encode, reference::adobe_encode);
+    swept("Adobe decode, swept", Adobe::decode, reference::adobe_decode);
+    swept("HLG encode, swept", Hlg::encode, reference::hlg_encode);
+    swept("HLG decode, swept", Hlg::decode, reference::hlg_decode);
+    swept("PQ encode, swept", Pq::encode, reference::pq_encode);
+    swept("PQ decode, swept", Pq::decode, reference::pq_decode);
+}
+
+#[test]
+fn pq_is_exact_in_relative_terms() {
+    // The reference is the textbook's form, which loses to cancellation what f64 can spare.
+    let (mut encode, mut decode) =
+        (check("PQ encode, 1e-4 to 1e4 cd/m2"), check("PQ decode, 1e-4 to 1e4 cd/m2"));
+    for k in 0..=100_000 {
+        // 1e-4 to 1e4 cd/m2
+        let light = 10f64.powf(f64::from(k) / 100_000.0 * 8.0 - 8.0) as f32;
+        encode.add(&format!("{light}"), Pq::encode(light), reference::pq_encode(f64::from(light)));
+        let code = reference::pq_encode(f64::from(light)) as f32;
+        decode.add(&format!("{code}"), Pq::decode(code), reference::pq_decode(f64::from(code)));
+    }
+    encode.tight(100_001);
+    decode.tight(100_001);
+}
+
+#[test]
+fn ten_bit_pq_codes_survive() {
+    for code in 0..=1023_u16 {
+        let light = Pq::decode(f32::from(code) / 1023.0);
+        assert_eq!((Pq::encode(light) * 1023.0).round(), f32::from(code));
+    }
+}
+
+#[test]
+fn there_and_back_again() {
+    let mut all = [
+        ("sRGB there and back", (|v| Srgb::decode(Srgb::encode(v))) as fn(f32) -> f32),
+        ("sRGB back and there", |v| Srgb::encode(Srgb::decode(v))),
+        ("Adobe there and back", |v| Adobe::decode(Adobe::encode(v))),
+        ("BT.1886 there and back", |v| Bt1886::decode(Bt1886::encode(v))),
+        ("HLG there and back", |v| Hlg::decode(Hlg::encode(v))),
+        ("PQ there and back", |v| Pq::decode(Pq::encode(v))),
+        ("PQ back and there", |v| Pq::encode(Pq::decode(v))),
+    ]
+    .map(|(what, function)| (function, check(what)));
+    for v in sweep() {
+        for (function, check) in &mut all {
+            check.add(&format!("{v}"), function(v), f64::from(v));
+        }
+        assert_eq!(Linear::decode(Linear::encode(v)), v);
+    }
+    all.into_iter().for_each(|(_, check)| check.tight(SWEPT));
+}
+
+#[test]
+fn knees_are_those_of_the_standards() {
+    let above = |v: f32| f32::from_bits(v.to_bits() + 1);
+    let mut encode = check("step of sRGB encode at its knee");
+    encode.add("knee", Srgb::encode(above(0.003_130_8)) - Srgb::encode(0.003_130_8), 0.0);
+    encode.tight(1);
+    let mut decode = check("step of sRGB decode at its knee");
+    decode.add("knee", Srgb::decode(above(0.040_45)) - Srgb::decode(0.040_45), 0.0);
+    decode.tight(1);
+    assert_eq!(Hlg::encode(above(1.0 / 12.0)), Hlg::encode(1.0 / 12.0));
+}
+
+#[test]
+fn ends_are_exact_or_as_the_standard_has_them() {
+    assert_eq!(Srgb::encode(0.0), 0.0);
+    assert_eq!(Srgb::decode(0.0), 0.0);
+    assert_eq!(Srgb::encode(1.0), 1.0);
+    assert_eq!(Srgb::decode(1.0), 1.0);
+    assert_eq!(Adobe::encode(1.0), 1.0);
+    assert_eq!(Bt1886::decode(1.0), 1.0);
+    assert_eq!(Pq::encode(1.0), 1.0);
+    assert_eq!(Pq::decode(1.0), 1.0);
+    assert_eq!(Pq::decode(0.0), 0.0);
+    let mut dark = check("PQ of no light");
+    dark.add("0", Pq::encode(0.0), 7.309_559e-7);
+    dark.tight(1);
+    assert_eq!(Pq::decode(Pq::encode(0.0)), 0.0);
+    assert_eq!(Pq::encode(-1.0), Pq::encode(0.0));
+    assert_eq!(Pq::decode(-1.0), 0.0);
+    assert_eq!(Pq::decode(2.0), f32::INFINITY);
+    assert!(Pq::decode(1.99).is_finite());
+    // BT.2408: 203 cd/m2, the reference white of HDR, is 58 % PQ; HLG has it at 75 %
+    let mut white = check("PQ and HLG of the reference white");
+    white.add("PQ", Pq::encode(0.0203), 0.5807);
+    white.add("HLG", Hlg::encode(0.265), 0.75);
+    white.tight(2);
+}
+
+#[test]
+fn eight_bit_codes_round_half_up() {
+    for code in 0..=255_u8 {
+        assert_eq!(to_u8(from_u8(code)), code);
+        let half = (f64::from(code) + 0.5) / 255.0;
+        let (below, above) = ((half - 1e-6) as f32, (half + 1e-6) as f32);
+        assert_eq!(to_u8(below), code);
+        assert_eq!(to_u8(above), code.saturating_add(1));
+    }
+    assert_eq!(to_u8(0.5), 128); // 127.5
+    assert_eq!(to_u8(-0.001), 0);
+    assert_eq!(to_u8(-1e30), 0);
+    assert_eq!(to_u8(1.5), 255);
+    assert_eq!(to_u8(f32::INFINITY), 255);
+    assert_eq!(to_u8(f32::NEG_INFINITY), 0);
+    assert_eq!(to_u8(f32::NAN), 0);
+}
+
+#[test]
+fn every_srgb_code_survives_linear_light() {
+    for code in 0..=255_u8 {
+        assert_eq!(to_u8(Srgb::encode(Srgb::decode(from_u8(code)))), code);
+        let adobe = EncodedRgb::<AdobeRgb>::from_u8([code, 255 - code, 7]);
+        assert_eq!(adobe.decode().encode().to_u8(), [code, 255 - code, 7]);
+    }
+    let linear: Rgb<AdobeRgb> = EncodedRgb::<AdobeRgb>::from_u8([255, 128, 0]).decode();
+    assert_eq!((linear.r, linear.b), (1.0, 0.0));
+}
+
+fn finite() -> impl Strategy<Value = f32> {
+    use prop::num::f32::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+    prop_oneof![NORMAL | SUBNORMAL | ZERO | POSITIVE | NEGATIVE, -2.0_f32..2.0]
+}
+
+proptest! {
+    #[test]
+    fn no_finite_number_becomes_nan(v in finite()) {
+        for function in [Srgb::encode, Srgb::decode, Bt1886::encode, Bt1886::decode, Adobe::encode, Adobe::decode,
+            Pq::encode, Pq::decode, Hlg::encode, Hlg::decode] {
+            prop_assert!(!function(v).is_nan());
+            prop_assert!(function(f32::NAN).is_nan());
+        }
+    }
+
+    #[test]
+    fn all_but_pq_are_odd(v in finite()) {
+        for function in [Srgb::encode, Srgb::decode, Bt1886::encode, Bt1886::decode, Adobe::encode, Adobe::decode,
+            Hlg::encode, Hlg::decode] {
+            prop_assert_eq!(function(-v).to_bits(), (-function(v)).to_bits());
+        }
+    }
+
+    #[test]
+    fn more_light_is_a_higher_code(v in 0.0_f32..1.0, w in 0.0_f32..1.0) {
+        let (low, high) = (v.min(w), v.max(w));
+        // two numbers apart by more than rounding
+        prop_assume!(high - low > 1e-6);
+        for function in [Srgb::encode, Srgb::decode, Bt1886::encode, Adobe::encode, Pq::encode, Hlg::encode] {
+            prop_assert!(function(low) <= function(high));
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! What light meets: surfaces, films, volumes, dyes, mirrors.
+
+mod brdf;
+mod films;
+mod films_properties;
+mod fluorescence;
+mod hard_cases_films;
+mod hard_cases_surfaces;
+mod polarisation;
+mod slab;
+mod surfaces_swept;
+mod volumes;

@@ -1,0 +1,48 @@
+//! The largest errors on record: what a check measures may not grow by more than 2 %.
+//!
+//! `NANOSPECTRA_BLESS=1 cargo test --release` puts on record what is larger than what is there, and what is new; for
+//! what has become smaller, delete its line first. The errors are the same on every machine but for the last digits of
+//! the f64 models.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::sync::{Mutex, PoisonError};
+
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/measured_errors.txt");
+
+/// By name: absolute, relative; as in the table of what is allowed.
+pub fn read() -> BTreeMap<String, [f64; 2]> {
+    let text = fs::read_to_string(PATH).expect("tests/data/measured_errors.txt");
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    lines
+        .map(|line| {
+            let mut parts = line.splitn(3, ' ');
+            let mut part = || parts.next().unwrap_or_else(|| panic!("not an entry: {line}"));
+            let mut number = || part().parse().unwrap_or_else(|_| panic!("not a number: {line}"));
+            let errors = [number(), number()];
+            (part().to_string(), errors)
+        })
+        .collect()
+}
+
+/// Fails if the largest error of this check is not on record or more than 2 % above it.
+pub fn hold(what: &'static str, measured: [f64; 2]) {
+    static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+    let _one = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut all = read();
+    if std::env::var_os("NANOSPECTRA_BLESS").is_some() {
+        let entry = all.entry(what.to_string()).or_default();
+        *entry = [entry[0].max(measured[0]), entry[1].max(measured[1])];
+        let lines =
+            all.iter().map(|(what, [absolute, relative])| format!("{absolute:.3e} {relative:.3e} {what}\n"));
+        let head = "# The largest error of each check in tests/allowed: absolute, relative, name; see tests/allowed/record.rs.\n";
+        fs::write(PATH, head.to_string() + &lines.collect::<String>()).expect("a record");
+        return;
+    }
+    let Some(recorded) = all.get(what) else {
+        panic!("'{what}' is not on record: see tests/allowed/record.rs")
+    };
+    for (measured, recorded) in measured.into_iter().zip(recorded) {
+        assert!(measured <= 1.02 * recorded, "{what}: {measured:.3e}, on record are {recorded:.3e}");
+    }
+}

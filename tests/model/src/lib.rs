@@ -1,0 +1,44 @@
+//! An independent f64 model of spectral colorimetry, for tests.
+//!
+//! Every function is the textbook definition written out naively: direct sums, bisection, dense
+//! linear algebra. It shares no code with the crate, so where the two agree both are probably
+//! right. `model_against_goldens.rs` holds the model itself to published and precomputed values.
+
+pub mod csv;
+pub mod interpolation;
+pub mod tables;
+
+pub mod chromaticity;
+pub mod tristimulus;
+
+pub mod cct;
+pub mod daylight;
+pub mod planck;
+
+pub mod appearance;
+pub mod delta_e;
+pub mod lab;
+
+pub mod cri;
+pub mod photometry;
+pub mod tm30;
+
+pub mod adaptation;
+pub mod dominant;
+pub mod linear;
+pub mod rgb;
+pub mod transfer;
+
+pub mod sensor;
+
+pub mod fresnel;
+pub mod geometry;
+pub mod surface;
+
+pub mod fine;
+pub mod fold;
+
+pub mod film;
+
+pub mod allowed;
+pub mod check;

@@ -1,0 +1,5 @@
+//! Light on its way, by typed paths and by scenes put together at run time.
+
+mod chain;
+mod fuzz;
+mod scene;
