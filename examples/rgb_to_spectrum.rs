@@ -1,0 +1,54 @@
+//! An sRGB color becomes a smooth reflectance that has exactly this color in daylight; the reflectance is read
+//! back, and looked at under another lamp. For renderers and paint programs that have an RGB and need a spectrum.
+//!
+//! `cargo run --release --example rgb_to_spectrum`
+
+use nanospectra::color::{EncodedRgb, Srgb, Xyz};
+use nanospectra::light::{A, D65};
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{Sigmoid, Status, Viewing};
+use nanospectra::{Curve, Factor, Interpolation, Nodes, Observer, Outside, Reflectance};
+
+/// 31 bands, every 10 nm.
+type Grid = Nodes<400, 700>;
+
+/// sRGB is seen under D65: who looks, under what light and on which bands. The compiler works it out.
+static VIEWING: Viewing<31, Grid> =
+    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+static SIGMOID: Sigmoid<31, Grid> = Sigmoid::new(&VIEWING);
+
+/// The same eye at home, under an incandescent lamp (CIE illuminant A).
+static AT_HOME: Observer<3, 31, Factor, Grid> = CIE_1931
+    .under(&A.interpolate(Interpolation::Linear, Outside::Zero))
+    .fold(Curve::Step)
+    .with_white_y(100.0);
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let code = [210, 105, 30]; // #d2691e, "chocolate" in CSS
+    let rgb = EncodedRgb::<Srgb>::from_u8(code).decode();
+
+    let solved = SIGMOID.reflectance(rgb);
+    let paint: Reflectance<31, Grid> = solved.spectrum.on_grid();
+    for (nm, share) in paint.iter().step_by(5) {
+        println!("{nm} nm: {:4.1} %", 100.0 * share);
+    }
+
+    let back = VIEWING.rgb(&paint);
+    println!("back in sRGB: {:?}", back.encode().to_u8());
+
+    let xyz = Xyz::from(AT_HOME.sees(&paint));
+    let white = Xyz::from(AT_HOME.sees(&Reflectance::flat(1.0)));
+    let lab = xyz.lab(white).ok_or("the lamp is dark")?;
+    println!("under lamp A: L* {:.1}, a* {:.1}, b* {:.1}", lab.l, lab.a, lab.b);
+
+    // Exact: the same 8-bit code, by a reflectance that a real surface can have.
+    assert_eq!((solved.status, back.encode().to_u8()), (Status::Exact, code));
+    assert!(paint.values().iter().all(|share| (0.0..=1.0).contains(share)));
+    // IEC 61966-2-1: the luminance of an sRGB color is 0.2126 R + 0.7152 G + 0.0722 B, linear.
+    let y = 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
+    let [_, seen, _] = VIEWING.eye().sees(&paint);
+    assert!((seen - y).abs() < 1e-4);
+    // CIE 15:2018: illuminant A has XYZ 109.85, 100, 35.58.
+    assert!((white.x - 109.85).abs() < 0.01 && (white.z - 35.58).abs() < 0.01);
+    Ok(())
+}

@@ -1,0 +1,52 @@
+//! Counts of an eight-channel color sensor (AS7341) to illuminance, XYZ and CCT, in f32, with one reading under a
+//! lamp of known illuminance for a calibration. For firmware on a core with an FPU; see `sensor_counts_integer` for
+//! one without.
+//!
+//! `cargo run --release --example sensor_counts`
+
+use nanospectra::observer::CIE_1931;
+use nanospectra::sensor::{Calibration, Exposure, Meter, Reconstruction, Unusable, nominal};
+use nanospectra::{Curve, Nodes, Observer, Power};
+
+type Grid = Nodes<400, 700>;
+
+/// The chip by its data sheet; the measured responsivities of your own one are better.
+static CHIP: Observer<8, 31, Power, Grid> = nominal::AS7341.fold(Curve::Step);
+static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
+
+/// From counts to the smoothest spectrum behind them and on to XYZ: a matrix of 96 bytes, made by the compiler.
+static TO_XYZ: Calibration<8> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
+    Ok(spectrum) => spectrum.seen_by(&EYE),
+    Err(_) => panic!("the channels do not tell the spectrum"),
+};
+/// Gain 16, registers ATIME 29 and ASTEP 599: 50 ms, and full scale is 18000 counts.
+static EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
+
+/// Channels F1 to F8 under an incandescent lamp (CIE illuminant A) that a lux meter reads as 500 lx. These counts
+/// and the next are simulated, so that what the lamps are is known.
+const KNOWN: ([u16; 8], f32) = ([733, 1349, 2527, 3918, 5441, 7035, 10882, 13899], 500.0);
+/// The same under a white LED (CIE illuminant LED-B3) of 500 lx.
+const COUNTS: [u16; 8] = [416, 3675, 2876, 4434, 6022, 6825, 6864, 3069];
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let (counts, lux) = KNOWN;
+    let factor = lux / Meter::new(&EXPOSURE, &TO_XYZ).xyz(&counts)?.y;
+    println!("calibration: scale Y by {factor}");
+    let meter = Meter::new(&EXPOSURE, &TO_XYZ.scaled(factor));
+
+    let xyz = meter.xyz(&COUNTS)?;
+    let (cct_k, duv) = xyz.uv1960().and_then(|uv| uv.cct().near()).ok_or("this light is not white")?;
+    println!(
+        "{:.0} lx, XYZ {:.0}, {:.0}, {:.0}, CCT {cct_k:.0} K, Duv {duv:+.4}",
+        xyz.y, xyz.x, xyz.y, xyz.z
+    );
+
+    // Readings that say nothing about the light are errors and not colors.
+    let blinded = meter.xyz(&[18_000_u16; 8]);
+    assert!(matches!(blinded, Err(Unusable::Saturated { channels }) if channels.count() == 8));
+    // CIE 15:2018: LED-B3 has 4103 K, x = 0.3756, y = 0.3723. Eight channels tell it to 1 % or so.
+    let xy = xyz.xy().ok_or("dark")?;
+    assert!((xyz.y / 500.0 - 1.0).abs() < 0.01 && (cct_k / 4103.0 - 1.0).abs() < 0.01);
+    assert!((xy.x - 0.3756).abs() < 0.002 && (xy.y - 0.3723).abs() < 0.002);
+    Ok(())
+}
