@@ -10,7 +10,7 @@ use super::{Math, cbrt, sqrt};
 pub struct Portable;
 
 /// Every function from `libm`, the reference to compare with: sine, cosine and cube root run
-/// in f64 there, which is some 1200 to 1600 instructions each on a Cortex-M4F.
+/// in f64 there, which takes from 1620 (cube root) to 2090 (sine) instructions on a Cortex-M4F.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Libm;
 

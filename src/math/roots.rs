@@ -1,5 +1,5 @@
 //! Square and cube root in integer and `f32` arithmetic alone: the same bits on every target,
-//! without the soft f64 that `libm::cbrtf` needs on a Cortex-M4F (1592 instructions there).
+//! without the soft f64 that `libm::cbrtf` needs on a Cortex-M4F (1620 instructions there).
 
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
 use super::vsqrt::sqrt as quickest_sqrt;

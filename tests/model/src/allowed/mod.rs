@@ -22,7 +22,7 @@ pub fn all() -> impl Iterator<Item = &'static Allowed> {
 pub fn check(what: &'static str) -> Check {
     let mut entries = all().filter(|entry| entry.0 == what);
     let (Some((_, absolute, relative)), None) = (entries.next(), entries.next()) else {
-        panic!("not one entry '{what}' in tests/allowed");
+        panic!("not one entry '{what}' in tests/model/src/allowed");
     };
     Check::new(what, *absolute, *relative).held_to(record::hold)
 }
