@@ -8,8 +8,6 @@ use nanospectra::light::FL11;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Interpolation, Light, Observer, Outside, Power, Reflectance};
 
-const EXAMPLE: &str = "cost";
-
 /// This file, in which advice must be found as it is given.
 const THIS: &str = include_str!("cost_cli.rs");
 

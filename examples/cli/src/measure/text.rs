@@ -1,0 +1,72 @@
+//! A reading for people.
+
+use crate::failure::printable;
+use crate::measure::args::Unit;
+use crate::measure::facts::{self, Fact};
+use crate::measure::reading::{Bench, Note, Reading};
+use crate::output::Report;
+use crate::usage::name_of;
+use std::path::Path;
+
+const WIDTH: usize = 92;
+
+/// The report; with escapes for colour if `truecolor`.
+pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolor: bool) -> String {
+    let mut report = Report::new(22, truecolor);
+    report.line(title(bench, reading));
+    report.plot(&reading.curve());
+    if let (true, Some(srgb)) = (truecolor, reading.srgb) {
+        let patch = report.patch(srgb.map(|c| (c * 255.0).round() as u8), 16);
+        report.line(format_args!("  {patch}\n  {patch}\n"));
+    }
+    rows(&mut report, &facts::facts(bench, reading));
+    if let Some(path) = picture {
+        report.row("picture", path.display());
+    }
+    if let Some(comparison) = &reading.compare {
+        report.line(format_args!("\n  minus {}", printable(&comparison.to)));
+        rows(&mut report, &facts::differences(comparison));
+    }
+    notes(&mut report, &reading.notes);
+    report.into_text()
+}
+
+fn title(bench: &Bench, reading: &Reading) -> String {
+    let (name, file) = (printable(&reading.name), printable(&reading.file));
+    let kind = match (&bench.room, bench.unit) {
+        (Some(room), _) => format!("reflectance under {}", printable(&room.light.name)),
+        (None, Unit::Relative) => "light, relative".into(),
+        (None, Unit::Absolute) => "light, W/m2/nm".into(),
+    };
+    let between = name_of(bench.between);
+    format!("{name}   ({file}: {kind}; {}; {between} to 1 nm)\n", bench.eye.title())
+}
+
+fn rows(report: &mut Report, facts: &[Fact]) {
+    facts.iter().for_each(|fact| report.row(&fact.label, &fact.value));
+}
+
+/// Notes with the same text together, broken at words.
+fn notes(report: &mut Report, notes: &[Note]) {
+    let mut grouped: Vec<(String, &str)> = Vec::new();
+    for note in notes {
+        match grouped.last_mut() {
+            Some((keys, text)) if *text == note.text => *keys += &format!(", {}", note.key),
+            _ => grouped.push((note.key.clone(), &note.text)),
+        }
+    }
+    report.line("");
+    for (k, (keys, text)) in grouped.iter().enumerate() {
+        let mut line = format!("  {}", if k == 0 { "notes  " } else { "       " });
+        for word in printable(&format!("{keys}: {text}")).split(' ') {
+            if line.len() + word.len() > WIDTH {
+                report.line(line.trim_end());
+                line = " ".repeat(11);
+            }
+            line += word;
+            line.push(' ');
+        }
+        report.line(line.trim_end());
+    }
+    report.line("");
+}

@@ -1,0 +1,144 @@
+//! Answers for people.
+
+use crate::failure::printable;
+use crate::output::Report;
+use crate::scene::answer::{Absolute, Answer, Budget, Look, Sensor};
+use nanospectra::path::Price;
+use nanospectra::{Fine, Interpolation, Light, Outside, Power};
+use std::path::Path;
+
+/// All of it; with escapes for colour if `truecolor`.
+pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
+    let mut report = Report::new(16, truecolor);
+    let [title, lamp] = [&answer.title, &answer.lamp].map(|name| printable(name));
+    report.line(format_args!("{title}   ({lamp}, {}, {})\n", answer.eye, answer.grid));
+    report.plot(&curve(&answer.leaving));
+    report.row("lamp", report.swatch(answer.lamp_srgb, 8));
+    report.row("colour", report.swatch(answer.look.srgb, 8) + clipped(&answer.look));
+    let levels = answer.absolute.as_ref().map_or(Vec::new(), levels);
+    for (label, value) in coordinates(&answer.look).into_iter().chain(levels) {
+        report.row(label, value);
+    }
+    if let Some(sensor) = &answer.sensor {
+        let what = format_args!("{}; irradiance by the responsivity of a channel:", sensor.name);
+        report.row("sensor", what);
+        for (label, cells) in channels(sensor, answer.absolute.is_some()) {
+            let cells: String = cells.iter().map(|cell| format!(" {cell:>9}")).collect();
+            report.row(&format!("  {label}"), cells);
+        }
+    }
+    bill(&mut report, answer);
+    if let Some(path) = picture {
+        report.row("picture", path.display());
+    }
+    report.into_text()
+}
+
+fn bill(report: &mut Report, answer: &Answer) {
+    let [part, effect, work, bytes] = ["part", "effect", "multiply-adds", "bytes"];
+    report.line(format_args!("\n  {part:<24}{effect:<14}{work:>14}{bytes:>8}  without it"));
+    for line in &answer.bill {
+        let (name, fate) = (short_name(&line.name), if line.left_out { "  left out" } else { "" });
+        let (effect, cost) = (line.effect, line.without_delta_e);
+        let (work, bytes) = (line.price.multiply_adds, line.price.bytes);
+        report.line(format_args!("  {name:<24}{effect:<14}{work:>14}{bytes:>8}  {cost:.2} CIEDE2000{fate}"));
+    }
+    for (what, price) in totals(answer) {
+        report.line(format_args!("  {what:<38}{:>14}{:>8}", price.multiply_adds, price.bytes));
+    }
+    if let Some(budget) = &answer.budget {
+        report.line(format_args!("\n  {}; {}", verdict(budget), report.swatch(budget.srgb, 8)));
+    }
+}
+
+/// What all of it costs.
+pub fn totals(answer: &Answer) -> [(&'static str, Price); 2] {
+    [("walked, with lamp and eye", answer.walked), ("folded into the eye", answer.folded)]
+}
+
+/// What fits its column.
+pub fn short_name(name: &str) -> String {
+    let name = printable(name);
+    if name.chars().count() > 22 { name.chars().take(21).chain(['…']).collect() } else { name }
+}
+
+/// XYZ, xy, Lab and the luminous factor.
+pub fn coordinates(look: &Look) -> Vec<(&'static str, String)> {
+    let [x, y, z] = look.xyz.to_array();
+    let xy = look.xy.map_or("none, black".into(), |xy| format!("{:.4} {:.4}", xy.x, xy.y));
+    let lab = look.lab;
+    vec![
+        ("XYZ", format!("{x:.3} {y:.3} {z:.3}  (lamp: Y = 100)")),
+        ("xy", xy),
+        ("Lab", [lab.l, lab.a, lab.b].map(|value| format!("{:.2}", tidy(value))).join(" ")),
+        ("luminous factor", format!("{y:.2} %")),
+    ]
+}
+
+/// The rows of a chip: peaks, shares of the bare lamp's and, with a level, watts.
+pub fn channels(sensor: &Sensor, is_absolute: bool) -> Vec<(&'static str, Vec<String>)> {
+    let share = |share: &Option<f32>| share.map_or("none".into(), |share| format!("{:.2}%", 100.0 * share));
+    let mut rows = vec![
+        ("nm", sensor.peaks_nm.iter().map(f32::to_string).collect()),
+        ("of the lamp", sensor.of_lamp.iter().map(share).collect()),
+    ];
+    if is_absolute {
+        rows.push(("W/m2", sensor.channels.iter().map(|value| digits(*value)).collect()));
+    }
+    rows
+}
+
+/// What to say behind the code of a colour that displays do not have.
+pub fn clipped(look: &Look) -> &'static str {
+    if look.is_clipped { "  clipped: outside sRGB" } else { "" }
+}
+
+/// What `--budget` came to, without its colour.
+pub fn verdict(budget: &Budget) -> String {
+    let within = format!("within {} CIEDE2000: ", budget.delta_e);
+    let effects = match budget.left_out.len() {
+        0 => return within + "nothing can be left out",
+        1 => "1 effect".into(),
+        count => format!("{count} effects"),
+    };
+    let Budget { cost_delta_e, multiply_adds, .. } = budget;
+    format!("{within}{effects} left out, {cost_delta_e:.3} CIEDE2000 in all, {multiply_adds} multiply-adds")
+}
+
+/// Photometric and radiometric numbers with their units.
+pub fn levels(absolute: &Absolute) -> Vec<(&'static str, String)> {
+    let Absolute { illuminance_lx, irradiance_w_m2, exitance_lm_m2, exitance_w_m2, .. } = *absolute;
+    let [lx, falling] = [illuminance_lx, irradiance_w_m2].map(digits);
+    let [lm, leaving] = [exitance_lm_m2, exitance_w_m2].map(digits);
+    let mut levels = vec![
+        ("arrives", format!("{lx} lx, {falling} W/m2")),
+        ("leaves", format!("{lm} lm/m2, {leaving} W/m2")),
+    ];
+    if let Some([luminance, radiance]) = absolute.radiance {
+        let [luminance, radiance] = [luminance, radiance].map(digits);
+        levels.push(("looks (Lambert)", format!("{luminance} cd/m2, {radiance} W/(m2 sr)")));
+    }
+    levels
+}
+
+/// Without a minus before what is printed as zero.
+fn tidy(value: f32) -> f32 {
+    if value.abs() < 0.005 { 0.0 } else { value }
+}
+
+/// A number with four digits or more, plain unless it is tiny.
+fn digits(value: f32) -> String {
+    let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 9.0);
+    if value == 0.0 {
+        "0".into()
+    } else if decimals < 9.0 {
+        format!("{value:.*}", decimals as usize)
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// For plots: the bands joined, on 1 nm.
+fn curve(spectrum: &[(f32, f32)]) -> Fine<Power> {
+    Fine::interpolated(spectrum, Interpolation::Linear, Outside::Zero).unwrap_or(Light::flat(0.0))
+}
