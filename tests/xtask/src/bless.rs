@@ -1,0 +1,37 @@
+//! Renews the records, and the figures that are derived from them.
+
+use crate::check::each;
+use crate::lane::Lane;
+use crate::shell::Outcome;
+use crate::{toolchain, workspace};
+
+/// Where what is on record and what is derived from it may stand.
+const DERIVED: &str = "README.md src tests benches examples";
+
+pub fn run(mut lane: Lane) -> Outcome {
+    toolchain::install_all(&mut lane)?;
+    let packages = workspace::packages()?;
+    lane.step("bits, instructions and bytes of devices, and what they make of the hard cases", |shell| {
+        shell.run("bash tests/devices.sh --bless --install")
+    });
+    lane.step("the largest errors, the table of hard cases and tables of the study", |shell| {
+        let shell = shell.again().with("NANOSPECTRA_BLESS", "1");
+        each(&packages, &shell, |name| format!("cargo test --release -p {name} -- --skip doc_claims"))
+    });
+    lane.step("the cost study, with its chart and the tables of the README", |shell| {
+        shell.run("cargo run --release -p nanospectra-cost -- --bless")
+    });
+    lane.step("the sizes of the web package", |shell| {
+        shell.again().with("NANOSPECTRA_BLESS", "1").run("bash examples/web/test.sh")
+    });
+    // Last, since these figures are taken from all the records.
+    lane.step("figures in the documentation", |shell| {
+        let shell = shell.again().with("NANOSPECTRA_BLESS", "1");
+        shell.run("cargo test --release -p nanospectra --test promises doc_claims")
+    });
+    lane.step("what has changed", |shell| {
+        shell.run(&format!("git --no-pager diff --stat -- {DERIVED}"))?;
+        shell.run(&format!("git --no-pager diff --unified=0 -- {DERIVED} :!*.svg :!*.json"))
+    });
+    lane.report()
+}

@@ -1,0 +1,163 @@
+//! Everything that guards a promise.
+
+use crate::check::{documentation, each, format, harnesses, lints, walls};
+use crate::lane::Lane;
+use crate::shell::{Outcome, Shell};
+use crate::toolchain::{self, BOARDS, Installed, OLDEST, WASM};
+use crate::workspace::{self, APART, Package};
+
+/// Of the library, each of which must build alone.
+const FEATURES: [&str; 6] = ["libm", "std", "simd", "micromath", "heapless", "defmt"];
+
+pub fn run(lane: Lane) -> Outcome {
+    // Nobody steps through these builds: a quarter less to compile.
+    let mut lane = lane.with("CARGO_PROFILE_DEV_DEBUG", "0");
+    println!("== what must be installed");
+    let installed = toolchain::install_all(&mut lane)?;
+    let packages = workspace::packages()?;
+    format(&mut lane);
+    walls(&mut lane);
+    lane.beside(|lane| beside(lane, &installed, &packages), |lane| tests(lane, &packages))?;
+    lane.report()
+}
+
+/// What is tried on this machine with the default target.
+fn tests(lane: &mut Lane, packages: &[Package]) {
+    lints(lane, packages);
+    documentation(lane, packages);
+    lane.step("tests of every package, in the release profile", |shell| {
+        each(packages, shell, |name| format!("cargo test --release -p {name}"))
+    });
+    lane.step("the maths backend Fast, over every fifth f32", |shell| {
+        let shell = shell.again().with("NANOSPECTRA_STRIDE", "5");
+        shell.run("cargo test --release -p nanospectra --test spectrum every_f32")
+    });
+    lane.step(
+        "all 2^24 sRGB colors there and back with the default map, every eighth with the others",
+        |shell| {
+            let upsample = "cargo test --release -p nanospectra --test upsample all::";
+            shell.again().with("NANOSPECTRA_STRIDE", "1").run(&format!("{upsample}cubic"))?;
+            shell.again().with("NANOSPECTRA_STRIDE", "2").run(&format!("{upsample} -- --skip cubic"))
+        },
+    );
+    lane.step(
+        "tests in the dev profile, which checks for overflow: with every feature, then with none",
+        |shell| {
+            let some = harnesses(&["spectrum", "path", "sensor", "upsample"]);
+            let most =
+                harnesses(&["spectrum", "color", "matter", "path", "radiometry", "sensor", "upsample"]);
+            shell.run(&format!("cargo test -p nanospectra --all-features --lib {some}"))?;
+            shell.run("cargo test -p nanospectra-bits --features simd")?;
+            shell.run("cargo test -p nanospectra --all-features --doc")?;
+            shell.run(&format!("cargo test -p nanospectra --no-default-features --lib {most}"))?;
+            shell.run("cargo test -p nanospectra --no-default-features --doc")
+        },
+    );
+    lane.step("the benches run and check their results", |shell| {
+        packages.iter().filter(|package| !package.benches.is_empty()).try_for_each(|package| {
+            let benches: String = package.benches.iter().map(|name| format!("--bench {name} ")).collect();
+            shell.run(&format!("cargo bench -p {} {benches}-- --test", package.name))
+        })
+    });
+    lane.step(
+        "what accuracy costs: every figure as it is on record, and the README as the record makes it",
+        |shell| shell.run("cargo run --release -p nanospectra-cost -- --quick --check"),
+    );
+    lane.step("the examples and the first command of the README run", |shell| {
+        for name in workspace::examples()? {
+            shell.run(&format!("cargo run --release -p nanospectra --example {name}"))?;
+        }
+        shell.run("cargo run --release")
+    });
+    lane.step("the packages are complete", |shell| {
+        // Together, since the second depends on the first, which no registry has in this version.
+        shell.run("cargo package -p nanospectra -p nanospectra-cli --allow-dirty")
+    });
+}
+
+/// What other compilers and other targets need.
+fn beside(lane: &mut Lane, installed: &Installed, packages: &[Package]) {
+    lane.step(
+        "lints with each feature alone, none and all; with none and all on other kinds of target",
+        |shell| lints_with_features(shell, installed),
+    );
+    lane.step("lints of the packages for devices and for the web", |shell| lints_apart(shell, installed));
+    if installed.oldest {
+        lane.step("the oldest compiler builds everything", |shell| oldest_compiler(shell, packages));
+    }
+    if installed.miri {
+        lane.step("Miri interprets the kernel for x86-64", miri);
+    }
+    lane.step("devices: the same bits, instructions and bytes", |shell| {
+        shell.run("bash tests/devices.sh --install")
+    });
+    lane.step("the web: the package in node, the page in a browser", |shell| {
+        shell.run("bash examples/web/test.sh")
+    });
+}
+
+fn lints_with_features(shell: &Shell, installed: &Installed) -> Outcome {
+    let shell = shell.again().with("CARGO_TARGET_DIR", "target/features");
+    let (none, all) = (String::new(), format!("--features {}", FEATURES.join(",")));
+    let lint = |target: &str, features: &str| {
+        shell.run(&format!(
+            "cargo clippy -p nanospectra {target} --no-default-features {features} -- -D warnings"
+        ))
+    };
+    // (The default is what the packages for devices and for the web are built with.)
+    for feature in FEATURES {
+        lint("", &format!("--features {feature}"))?;
+    }
+    for features in [&none, &all] {
+        lint("", features)?;
+        let others = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf", WASM];
+        for target in others.into_iter().filter(|target| installed.has(target)) {
+            lint(&format!("--target {target}"), features)?;
+        }
+    }
+    Ok(())
+}
+
+fn lints_apart(shell: &Shell, installed: &Installed) -> Outcome {
+    let [firmware, decode, web] = APART.map(|folder| shell.again().at(folder));
+    for target in BOARDS.into_iter().filter(|target| installed.has(target)) {
+        firmware.run(&format!("cargo clippy --quiet --target {target} --bins --tests -- -D warnings"))?;
+    }
+    if installed.has("thumbv7em-none-eabihf") {
+        let measure = "--target thumbv7em-none-eabihf --no-default-features --features measure";
+        firmware.run(&format!("cargo clippy --quiet {measure} -- -D warnings"))?;
+    }
+    firmware.run("cargo clippy --quiet --bins --tests -- -D warnings")?;
+    decode.run("cargo clippy --quiet -- -D warnings")?;
+    if installed.has(WASM) { web.run("cargo clippy --quiet -- -D warnings") } else { Ok(()) }
+}
+
+fn oldest_compiler(shell: &Shell, packages: &[Package]) -> Outcome {
+    let shell = shell.again().with("CARGO_TARGET_DIR", crate::shell::root().join("target/oldest"));
+    let check = format!("cargo +{OLDEST} check --quiet --locked");
+    each(packages, &shell, |name| format!("{check} -p {name} --all-targets"))?;
+    shell.run(&format!("{check} -p nanospectra --all-features"))?;
+    shell.run(&format!("{check} -p nanospectra --no-default-features"))?;
+    let [firmware, decode, web] = APART.map(|folder| shell.again().at(folder));
+    firmware.run(&format!("{check} --bins --tests"))?;
+    decode.run(&format!("{check} --all-targets"))?;
+    if !shell.succeeds(&format!("rustup target add --toolchain {OLDEST} {WASM}")) {
+        shell.say(&format!(
+            "SKIPPED  {WASM} cannot be installed for Rust {OLDEST}: the web package was not tried"
+        ));
+        return Ok(());
+    }
+    web.run(&check)
+}
+
+/// The order of additions with four lanes and with eight, and with it every load of the kernel.
+fn miri(shell: &Shell) -> Outcome {
+    if !shell.output("rustc -vV")?.contains("host: x86_64") {
+        shell.say("SKIPPED  Miri: this is not an x86-64, so there is no unsafe code in the kernel");
+        return Ok(());
+    }
+    let test = "order::sums_are_taken_in_the_promised_order";
+    let line = format!("cargo +nightly miri test -p nanospectra --test promises -- {test} --exact");
+    shell.run(&line)?;
+    shell.again().with("RUSTFLAGS", "-Ctarget-cpu=x86-64-v3").run(&line)
+}
