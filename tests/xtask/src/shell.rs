@@ -80,12 +80,22 @@ impl Shell {
         self.finish(self.command(["bash", "-c", line]), line)
     }
 
+    /// Runs those tests that a filter lets through. None would pass unnoticed, so that is a failure.
+    pub fn filtered(&self, line: &str) -> Outcome {
+        self.say(&format!("$ {line}"));
+        let text = self.output(line)?;
+        self.say(&text);
+        let ran =
+            text.lines().any(|line| line.starts_with("test result: ok.") && !line.contains(" 0 passed"));
+        if ran { Ok(()) } else { Err(format!("`{line}` runs no test")) }
+    }
+
     /// What a program prints to standard output.
     pub fn output(&self, line: &str) -> Outcome<String> {
         let output = self.command(line.split_whitespace()).stderr(Stdio::inherit()).output();
         let output = output.map_err(|error| format!("`{line}` does not start: {error}"))?;
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        if output.status.success() { Ok(text) } else { Err(format!("`{line}` failed")) }
+        if output.status.success() { Ok(text) } else { Err(format!("`{line}` failed:\n{text}")) }
     }
 
     /// Whether a program succeeds, in silence.
