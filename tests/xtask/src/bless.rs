@@ -11,16 +11,18 @@ const DERIVED: &str = "README.md src tests benches examples";
 pub fn run(mut lane: Lane) -> Outcome {
     toolchain::install_all(&mut lane)?;
     let packages = workspace::packages()?;
-    lane.step("bits, instructions and bytes of devices, and what they make of the hard cases", |shell| {
-        shell.run("bash tests/devices.sh --bless --install")
-    });
+    lane.run(
+        "bits, instructions and bytes of devices, and what they make of the hard cases",
+        "bash tests/devices.sh --bless --install",
+    );
     lane.step("the largest errors, the table of hard cases and tables of the study", |shell| {
         let shell = shell.again().with("NANOSPECTRA_BLESS", "1");
         each(&packages, &shell, |name| format!("cargo test --release -p {name} -- --skip doc_claims"))
     });
-    lane.step("the cost study, with its chart and the tables of the README", |shell| {
-        shell.run("cargo run --release -p nanospectra-cost -- --bless")
-    });
+    lane.run(
+        "the cost study, with its chart and the tables of the README",
+        "cargo run --release -p nanospectra-cost -- --bless",
+    );
     lane.step("the sizes of the web package", |shell| {
         shell.again().with("NANOSPECTRA_BLESS", "1").run("bash examples/web/test.sh")
     });

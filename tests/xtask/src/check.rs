@@ -5,8 +5,8 @@ use crate::shell::{Outcome, Shell};
 use crate::toolchain;
 use crate::workspace::{self, APART, Package};
 
-/// What the release tests add to these is slow: they build small packages, and instructions are counted.
-const STATIONS: [&str; 7] = ["spectrum", "color", "matter", "path", "radiometry", "sensor", "upsample"];
+/// The harnesses of the library but `promises`, which is slow: it builds programs and counts instructions.
+pub const STATIONS: [&str; 7] = ["spectrum", "color", "matter", "path", "radiometry", "sensor", "upsample"];
 
 pub fn run(mut lane: Lane) -> Outcome {
     toolchain::required()?;
@@ -20,7 +20,10 @@ pub fn run(mut lane: Lane) -> Outcome {
         },
         |lane| {
             lane.step("tests of the library, in the dev profile", |shell| {
-                shell.run(&format!("cargo test --quiet -p nanospectra --lib {}", harnesses(&STATIONS)))
+                shell.run(&format!(
+                    "cargo test --quiet --no-fail-fast -p nanospectra --lib {}",
+                    harnesses(&STATIONS)
+                ))
             });
         },
     )?;
@@ -61,11 +64,13 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
     });
 }
 
-/// Runs a command for every package by itself.
+/// Runs a command for every package by itself, and for the others too if it fails for one.
 pub fn each<'a>(
     packages: impl IntoIterator<Item = &'a Package>,
     shell: &Shell,
     line: impl Fn(&str) -> String,
 ) -> Outcome {
-    packages.into_iter().try_for_each(|package| shell.run(&line(&package.name)))
+    let failures: Vec<String> =
+        packages.into_iter().filter_map(|package| shell.run(&line(&package.name)).err()).collect();
+    if failures.is_empty() { Ok(()) } else { Err(failures.join("; ")) }
 }

@@ -47,6 +47,11 @@ impl Lane {
         }
     }
 
+    /// Runs a step of one command.
+    pub fn run(&mut self, name: &str, line: &str) {
+        self.step(name, |shell| shell.run(line));
+    }
+
     /// Notes what is not done here, and why.
     pub fn skip(&mut self, what: impl Into<String>) {
         self.skipped.push(what.into());
