@@ -47,12 +47,7 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
         shell.run(&format!("{test} --no-default-features --lib {most}"))?;
         shell.run(&format!("{test} --no-default-features --doc"))
     });
-    lane.step("the benches run and check their results", |shell| {
-        packages.iter().filter(|package| !package.benches.is_empty()).try_for_each(|package| {
-            let benches: String = package.benches.iter().map(|name| format!("--bench {name} ")).collect();
-            shell.run(&format!("cargo bench -p {} {benches}-- --test", package.name))
-        })
-    });
+    lane.step("the benches run and check their results", |shell| benches(shell, packages));
     lane.run(
         "what accuracy costs: every figure on record, and the tables of the README",
         "cargo run --release -p nanospectra-cost -- --quick --check",
@@ -67,6 +62,14 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
         // Together, since the second depends on the first, which no registry has in this version.
         shell.run("cargo package -p nanospectra -p nanospectra-cli --allow-dirty")
     });
+}
+
+/// Runs every bench once, which compares its results with those of peers.
+pub fn benches(shell: &Shell, packages: &[Package]) -> Outcome {
+    packages.iter().filter(|package| !package.benches.is_empty()).try_for_each(|package| {
+        let benches: String = package.benches.iter().map(|name| format!("--bench {name} ")).collect();
+        shell.run(&format!("cargo bench -p {} {benches}-- --test", package.name))
+    })
 }
 
 /// What other compilers and other targets need.

@@ -1,8 +1,7 @@
 //! The largest errors on record: what a check measures may not grow by more than 2 %.
 //!
-//! `NANOSPECTRA_BLESS=1 cargo test --release` puts on record what is larger than what is there, and what is new; for
-//! what has become smaller, delete its line first. The errors are the same on every machine but for the last digits of
-//! the f64 models.
+//! `cargo xtask bless` makes the record again. With NANOSPECTRA_BLESS=1 a test puts on record what is larger than what
+//! is there, and what is new. The errors are the same on every machine but for the last digits of the f64 models.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -40,7 +39,7 @@ pub fn hold(what: &'static str, measured: [f64; 2]) {
         return;
     }
     let Some(recorded) = all.get(what) else {
-        panic!("'{what}' is not on record: see tests/allowed/record.rs")
+        panic!("'{what}' is not on record: `cargo xtask bless` records it")
     };
     for (measured, recorded) in measured.into_iter().zip(recorded) {
         assert!(measured <= 1.02 * recorded, "{what}: {measured:.3e}, on record are {recorded:.3e}");
