@@ -17,8 +17,7 @@ fn sums_are_taken_in_the_promised_order_by_eight_lanes_too() {
         println!("SKIPPED: this host has no AVX2");
         return;
     }
-    let package =
-        Package::using_the_crate("order", &[("program", include_str!("order/program.rs"))]);
+    let package = Package::using_the_crate("order", &[("program", include_str!("order/program.rs"))]);
     let flags = "build.rustflags=['-Ctarget-cpu=x86-64-v3']";
     let output = package.cargo(&["run", "--release", "--config", flags]);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

@@ -1,6 +1,6 @@
 //! Every f32 of the domain of every own function, against f64 or the hardware.
 //!
-//! `cargo test` tries every 251st, tests/all.sh every fifth. All of them, 200 s of one core (100 s on two):
+//! `cargo test` tries every 251st, `cargo xtask full` every fifth. All of them, 200 s of one core (100 s on two):
 //!
 //!     NANOSPECTRA_STRIDE=1 cargo test --release --test spectrum every_f32
 

@@ -1,6 +1,6 @@
 //! The constants of `tables/upsample` are what this makes of the CIE's tables: it makes them again and compares.
 //!
-//! `UPSAMPLE_FIT=write cargo test --release --test upsample_fit` writes the files instead.
+//! `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables` writes the files instead.
 
 use crate::fit;
 use std::fmt::Write as _;

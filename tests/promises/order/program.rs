@@ -53,5 +53,8 @@ pub fn main() {
             sums_of::<8, $n>();
         )* };
     }
-    every!(1 2 3 7 8 9 15 16 17 24 31 60 81 95 401 471);
+    every!(1 7 8 9 17);
+    // (Miri interprets, at a thousandth of the speed; it meets every load above.)
+    #[cfg(not(miri))]
+    every!(2 3 15 16 24 31 60 81 95 401 471);
 }

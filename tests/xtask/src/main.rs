@@ -1,0 +1,82 @@
+//! The task runner: `cargo xtask check` while you work, `full` before a change is merged, `bless` to renew records.
+
+mod bless;
+mod check;
+mod full;
+mod lane;
+mod shell;
+mod toolchain;
+mod workspace;
+
+use clap::Parser;
+use lane::Lane;
+use shell::Shell;
+use std::process::ExitCode;
+
+/// Checks nanospectra, proves everything it promises, and renews its records.
+///
+/// Every task names one package at a time. Packages that are built together share their features, and the tests of one
+/// would then see the features that another asks for.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+enum Task {
+    /// Check format, lints, fast tests and documentation: for every change, in about three minutes
+    ///
+    /// It installs nothing and needs no root. If something is missing it says what to type.
+    Check(Steps),
+    /// Run the tests of the library in the dev profile, or those of some stations
+    ///
+    /// A station is a file tests/STATION/main.rs, such as color, matter or sensor.
+    Test {
+        station: Vec<String>,
+        /// What the test harness is given, such as a part of a test's name
+        #[arg(last = true)]
+        harness: Vec<String>,
+    },
+    /// Prove everything that is promised: what CI runs, in about half an hour on two cores
+    ///
+    /// It installs what it needs: compilers and targets by rustup; valgrind, QEMU and Chromium by apt-get (with sudo,
+    /// unless it runs as root). What cannot be installed is listed at the end as SKIPPED. All steps run even if one
+    /// fails, and then the exit code is 1.
+    Full(Steps),
+    /// Renew every record and every figure that is derived from one, then show what has changed
+    ///
+    /// The records are the bits, instructions and bytes of devices, the largest errors of the tests, the hard cases,
+    /// the cost study and the sizes of the web package; figures in the README and in documentation follow them. The
+    /// tables of tables/upsample are not records but a part of the library. To make them again, run
+    /// `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables`.
+    Bless(Steps),
+}
+
+#[derive(clap::Args)]
+struct Steps {
+    /// Run only the steps whose name contains this text
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+}
+
+fn main() -> ExitCode {
+    let result = match Task::parse() {
+        Task::Check(steps) => check::run(Lane::new(steps.only)),
+        Task::Test { station, harness } => test(&station, &harness),
+        Task::Full(steps) => full::run(Lane::new(steps.only)),
+        Task::Bless(steps) => bless::run(Lane::new(steps.only)),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("error: {why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn test(stations: &[String], harness: &[String]) -> shell::Outcome {
+    toolchain::required()?;
+    let stations: Vec<String> = stations.iter().map(|station| format!(" --test {station}")).collect();
+    Shell::new().run(&format!(
+        "cargo test --no-fail-fast -p nanospectra{} -- {}",
+        stations.concat(),
+        harness.join(" ")
+    ))
+}

@@ -1,0 +1,125 @@
+//! Commands: where they run, with which environment, and where their output goes.
+
+use crate::toolchain;
+use std::env;
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Whether it worked, or why not.
+pub type Outcome<T = ()> = Result<T, String>;
+
+/// The root of the repository.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .canonicalize()
+        .expect("this package is in tests/xtask")
+}
+
+/// Starts commands at the root of the repository with the compiler that the records belong to.
+#[derive(Default)]
+pub struct Shell {
+    folder: &'static str,
+    variables: Vec<(&'static str, OsString)>,
+    log: Option<File>,
+}
+
+impl Shell {
+    pub fn new() -> Self {
+        // The same random cases every time: a failure is the change's own. Another seed looks elsewhere.
+        let seed = env::var_os("PROPTEST_RNG_SEED").unwrap_or_else(|| "1".into());
+        Self::default().with("RUSTUP_TOOLCHAIN", toolchain::OF_RECORDS).with("PROPTEST_RNG_SEED", seed)
+    }
+
+    /// Writes what commands print to this file instead of the terminal.
+    pub fn logging(mut self, log: File) -> Self {
+        self.log = Some(log);
+        self
+    }
+
+    /// The same, with an environment variable set.
+    pub fn with(mut self, name: &'static str, value: impl Into<OsString>) -> Self {
+        self.variables.push((name, value.into()));
+        self
+    }
+
+    /// The same, in a folder below the root.
+    pub fn at(self, folder: &'static str) -> Self {
+        Shell { folder, ..self }
+    }
+
+    /// Another of the same kind, to be changed.
+    pub fn again(&self) -> Self {
+        Shell { folder: self.folder, variables: self.variables.clone(), log: self.log() }
+    }
+
+    fn log(&self) -> Option<File> {
+        self.log.as_ref().map(|log| log.try_clone().expect("the log is open"))
+    }
+
+    /// Prints a line where the output of commands goes.
+    pub fn say(&self, line: &str) {
+        match self.log() {
+            Some(mut log) => writeln!(log, "{line}").expect("the log takes it"),
+            None => println!("{line}"),
+        }
+    }
+
+    /// Runs a program with arguments, separated by spaces.
+    pub fn run(&self, line: &str) -> Outcome {
+        self.say(&format!("$ {line}"));
+        self.finish(self.command(line.split_whitespace()), line)
+    }
+
+    /// Runs a line of bash.
+    pub fn bash(&self, line: &str) -> Outcome {
+        self.say(&format!("$ {line}"));
+        self.finish(self.command(["bash", "-c", line]), line)
+    }
+
+    /// Runs those tests that a filter lets through. None would pass unnoticed, so that is a failure.
+    pub fn filtered(&self, line: &str) -> Outcome {
+        self.say(&format!("$ {line}"));
+        let text = self.output(line)?;
+        self.say(&text);
+        let ran =
+            text.lines().any(|line| line.starts_with("test result: ok.") && !line.contains(" 0 passed"));
+        if ran { Ok(()) } else { Err(format!("`{line}` runs no test")) }
+    }
+
+    /// What a program prints to standard output.
+    pub fn output(&self, line: &str) -> Outcome<String> {
+        let output = self.command(line.split_whitespace()).stderr(Stdio::inherit()).output();
+        let output = output.map_err(|error| format!("`{line}` does not start: {error}"))?;
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        if output.status.success() { Ok(text) } else { Err(format!("`{line}` failed:\n{text}")) }
+    }
+
+    /// Whether a program succeeds, in silence.
+    pub fn succeeds(&self, line: &str) -> bool {
+        let mut command = self.command(line.split_whitespace());
+        command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+    }
+
+    fn command<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
+        let mut words = words.into_iter();
+        let mut command = Command::new(words.next().expect("a program"));
+        command.args(words).current_dir(root().join(self.folder)).stdin(Stdio::null());
+        command.envs(self.variables.iter().map(|(name, value)| (name, value)));
+        command
+    }
+
+    fn finish(&self, mut command: Command, line: &str) -> Outcome {
+        if let (Some(out), Some(err)) = (self.log(), self.log()) {
+            command.stdout(out).stderr(err);
+        }
+        match command.status() {
+            Ok(status) if status.success() => Ok(()),
+            Ok(status) => Err(format!("`{line}` failed ({status})")),
+            Err(error) => Err(format!("`{line}` does not start: {error}")),
+        }
+    }
+}
