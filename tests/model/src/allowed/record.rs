@@ -34,7 +34,7 @@ pub fn hold(what: &'static str, measured: [f64; 2]) {
         *entry = [entry[0].max(measured[0]), entry[1].max(measured[1])];
         let lines =
             all.iter().map(|(what, [absolute, relative])| format!("{absolute:.3e} {relative:.3e} {what}\n"));
-        let head = "# The largest error of each check in tests/allowed: absolute, relative, name; see tests/allowed/record.rs.\n";
+        let head = "# The largest error of each check in tests/model/src/allowed: absolute, relative, name; see record.rs there.\n";
         fs::write(PATH, head.to_string() + &lines.collect::<String>()).expect("a record");
         return;
     }
