@@ -110,7 +110,7 @@ step "the benches run and check their results"
 cargo bench -p nanospectra-benches --bench observer --bench color --bench sensor --bench upsample --bench peers -- --test
 
 step "what accuracy costs: every figure as it is on record, and the README as the record makes it"
-cargo run --release --example cost -- --quick --check
+cargo run --release -p nanospectra-cost -- --quick --check
 
 step "the package is complete"
 cargo package -p nanospectra --allow-dirty

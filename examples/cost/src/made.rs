@@ -1,0 +1,57 @@
+//! The files in the repository that are made from the record.
+
+use crate::failure::Failure;
+use crate::{picture, readme};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Where the chart is that README.md shows.
+const CHART: &str = "examples/cost/data/frontier.svg";
+const README: &str = "README.md";
+
+/// The files as they should be.
+pub struct Made {
+    chart: String,
+    readme: String,
+}
+
+/// From the repository's root.
+pub fn in_repository(path: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
+}
+
+/// What the record makes of them.
+pub fn of(record: &Value) -> Result<Made, Failure> {
+    let readme = read(README)?;
+    Ok(Made { chart: picture::frontier(record), readme: readme::rewritten(&readme, record)? })
+}
+
+impl Made {
+    pub fn write(&self) -> Result<(), Failure> {
+        write(&in_repository(CHART), &self.chart)?;
+        write(&in_repository(README), &self.readme)
+    }
+
+    /// One line for each file that is not as it should be.
+    pub fn stale(&self) -> Result<Vec<String>, Failure> {
+        let mut stale = Vec::new();
+        for (path, made) in [(CHART, &self.chart), (README, &self.readme)] {
+            if read(path)? != *made {
+                stale.push(format!("{path}: not what the record makes of it; run with --readme"));
+            }
+        }
+        Ok(stale)
+    }
+}
+
+fn read(path: &str) -> Result<String, Failure> {
+    fs::read_to_string(in_repository(path))
+        .map_err(|error| Failure::of(path, format_args!("cannot be read ({}); restore it", error.kind())))
+}
+
+pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    fs::write(path, text).map_err(|error| {
+        Failure::of(path.display(), format_args!("cannot be written ({}); name another place", error.kind()))
+    })
+}
