@@ -70,7 +70,7 @@
 //!
 //! # Left out
 //!
-//! Files, text and plots (see `examples/colorimeter` for these); spectra whose size is known only at run time;
+//! Files, text and plots (see `examples/cli` for these); spectra whose size is known only at run time;
 //! f64 at run time; colour appearance beyond what TM-30 needs.
 #![no_std]
 #![deny(missing_docs, unsafe_code)]

@@ -41,7 +41,7 @@ other_targets() {
         [[ $target != "$host" ]] || alone=("" libm std simd micromath heapless defmt "$all")
         for features in "${alone[@]}"; do
             echo "$target [$features]"
-            CARGO_TARGET_DIR=target/features cargo clippy --quiet --target "$target" --no-default-features \
+            CARGO_TARGET_DIR=target/features cargo clippy -p nanospectra --quiet --target "$target" --no-default-features \
                 --features "$features" -- -D warnings
         done
     done
@@ -87,24 +87,24 @@ cargo clippy --workspace --all-targets -- -D warnings
 cargo clippy -p nanospectra --all-targets --all-features -- -D warnings
 
 step "documentation"
-RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features
+RUSTDOCFLAGS="-D warnings" cargo doc -p nanospectra --no-deps --all-features
 
 step "tests, with the default features, as a release"
 cargo test --release --workspace
 step "Fast, over every fifth f32"
-NANOSPECTRA_STRIDE=5 cargo test --release --test spectrum every_f32
+NANOSPECTRA_STRIDE=5 cargo test -p nanospectra --release --test spectrum every_f32
 step "all 2^24 sRGB colours there and back with the default map, every eighth with the others"
-NANOSPECTRA_STRIDE=1 cargo test --release --test upsample all::cubic
-NANOSPECTRA_STRIDE=2 cargo test --release --test upsample all:: -- --skip cubic
+NANOSPECTRA_STRIDE=1 cargo test -p nanospectra --release --test upsample all::cubic
+NANOSPECTRA_STRIDE=2 cargo test -p nanospectra --release --test upsample all:: -- --skip cubic
 step "what features could change: with every one, then with none, and with checks for overflow"
 harnesses() { for name; do echo "--test $name"; done; }
 # shellcheck disable=SC2046
-cargo test --all-features --lib $(harnesses spectrum path sensor upsample)
+cargo test -p nanospectra --all-features --lib $(harnesses spectrum path sensor upsample)
 cargo test -p nanospectra-bits --features simd
-cargo test --all-features --doc
+cargo test -p nanospectra --all-features --doc
 # shellcheck disable=SC2046
-cargo test --no-default-features --lib $(harnesses spectrum color matter path radiometry sensor upsample)
-cargo test --no-default-features --doc
+cargo test -p nanospectra --no-default-features --lib $(harnesses spectrum color matter path radiometry sensor upsample)
+cargo test -p nanospectra --no-default-features --doc
 
 step "the benches run and check their results"
 cargo bench -p nanospectra-benches --bench observer --bench color --bench sensor --bench upsample --bench peers -- --test
@@ -112,8 +112,8 @@ cargo bench -p nanospectra-benches --bench observer --bench color --bench sensor
 step "what accuracy costs: every figure as it is on record, and the README as the record makes it"
 cargo run --release -p nanospectra-cost -- --quick --check
 
-step "the package is complete"
-cargo package -p nanospectra --allow-dirty
+step "the packages are complete"
+cargo package -p nanospectra -p nanospectra-cli --allow-dirty
 
 step "other targets"
 outcome=0

@@ -2,9 +2,9 @@
 
 use crate::args::Limits;
 use crate::counts::Core;
-use crate::failure::{Failure, short};
 use crate::record::{CLASSES, Choice};
 use crate::text::figure;
+use nanospectra_cli::failure::{Failure, short};
 
 /// Words for several classes at once.
 const TOGETHER: [(&str, &[&str]); 3] = [

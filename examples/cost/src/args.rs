@@ -1,8 +1,8 @@
 //! The command line.
 
-use crate::failure::Failure;
-use crate::usage;
 use clap::{Parser, builder::PossibleValuesParser};
+use nanospectra_cli::failure::Failure;
+use nanospectra_cli::usage;
 use std::path::PathBuf;
 
 /// What accuracy costs in time: every choice with its error, instructions, bytes and nanoseconds.

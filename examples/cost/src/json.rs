@@ -1,7 +1,7 @@
 //! The report as JSON, and what is on record.
 
-use crate::failure::Failure;
 use crate::report::{Cell, Kind, Table};
+use nanospectra_cli::failure::Failure;
 use serde_json::{Map, Value, json};
 
 /// What `--json` wrote when figures were last recorded.

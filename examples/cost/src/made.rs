@@ -1,7 +1,7 @@
 //! The files in the repository that are made from the record.
 
-use crate::failure::Failure;
 use crate::{picture, readme};
+use nanospectra_cli::failure::Failure;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -7,32 +7,16 @@
 //! README ([`readme`]) are [`made`], and by it [`advise`] chooses.
 
 mod advise;
-#[path = "../../scene/answer.rs"]
-#[expect(dead_code, reason = "of a scene only its bill is wanted here")]
-mod answer;
 mod args;
-#[path = "../../scene/bundled.rs"]
-#[expect(dead_code, reason = "lists and files are for users of that program")]
-mod bundled;
 mod cct;
 mod cells;
 mod check;
 mod clock;
 mod counts;
 mod effects;
-#[path = "../../colorimeter/failure.rs"]
-mod failure;
-#[path = "../../scene/file.rs"]
-mod file;
-#[path = "../../scene/grids.rs"]
-mod grids;
 mod json;
-#[path = "../../scene/lamp.rs"]
-mod lamp;
 mod made;
 mod maths;
-#[path = "../../scene/matter.rs"]
-mod matter;
 mod nanometres;
 mod observers;
 mod picture;
@@ -41,33 +25,21 @@ mod record;
 mod report;
 mod studies;
 mod sums;
-#[path = "../../scene/table.rs"]
-mod table;
 mod tables;
 mod text;
 mod upsample;
-#[path = "../../colorimeter/usage.rs"]
-mod usage;
-#[path = "../../colorimeter/utf8.rs"]
-mod utf8;
 mod xyz;
 
 use args::Args;
-use failure::{Failure, short};
+use nanospectra_cli::failure::{Failure, exit_code, short};
+use nanospectra_cli::output::terminal::print;
 use report::Table;
 use std::io::{self, Write};
 use std::process::ExitCode;
 use studies::{Effort, STUDIES};
 
 fn main() -> ExitCode {
-    match Args::read().and_then(|args| run(&args)) {
-        Ok(code) => code,
-        Err(failure) => {
-            // Nobody may be there to read it.
-            let _ = writeln!(io::stderr(), "{failure}");
-            ExitCode::from(2)
-        }
-    }
+    exit_code(Args::read().and_then(|args| run(&args)))
 }
 
 fn run(args: &Args) -> Result<ExitCode, Failure> {
@@ -129,15 +101,4 @@ fn measured(args: &Args) -> Result<Vec<Table>, Failure> {
         }
     }
     Ok(tables)
-}
-
-fn print(text: &str) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        // Whoever reads the pipe may have had enough: `| head`.
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::of("stdout", format_args!("cannot be written ({}); free its disk", error.kind())))
-        }
-        _ => Ok(()),
-    }
 }

@@ -1,5 +1,5 @@
 // Text to spectra, strictly: what is not plainly a table of numbers is an error that says where, in the words of the
-// crate's examples/colorimeter.
+// command `nanospectra measure`.
 
 import { plain } from './numbers.js';
 

@@ -49,7 +49,7 @@ export class Light extends Instrument {
   }
 
   /**
-   * Every number about a spectrum, with the keys of `colorimeter --json`; what is not defined is null, and a note says why.
+   * Every number about a spectrum, with the keys of `nanospectra measure --json`; what is not defined is null, and a note says why.
    * @param {Parameters<typeof sourceOf>[0]} samples
    * @param {import('./nanospectra.d.ts').SpectrumOptions} [options]
    */

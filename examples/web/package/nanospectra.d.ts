@@ -46,7 +46,7 @@ export interface Fidelity {
   rf_ces: number[];
 }
 
-/** Every number about a spectrum, as `colorimeter --json` has them; null where one is not defined, and a note says why. */
+/** Every number about a spectrum, as `nanospectra measure --json` has them; null where one is not defined, and a note says why. */
 export interface Reading {
   name: string;
   file: string;

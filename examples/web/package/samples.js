@@ -1,5 +1,5 @@
 // One measured spectrum: what is wrong with it, what is worth a word about it, and how f64 reads between its samples.
-// After examples/colorimeter: `source.rs` and `exact.rs`.
+// After examples/cli/src/measure: `source.rs` and `exact.rs`.
 import { plain } from './numbers.js';
 import { BEYOND, quintic } from './sprague.js';
 

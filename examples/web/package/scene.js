@@ -1,4 +1,4 @@
-// Light through what it meets. What may stand in a scene, and the words for what may not, are those of examples/scene.
+// Light through what it meets. What may stand in a scene, and the words for what may not, are those of examples/cli/src/scene.
 import { Instrument } from './instrument.js';
 import { hex, plain, single, singles } from './numbers.js';
 

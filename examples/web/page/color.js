@@ -1,4 +1,4 @@
-// What wavelengths and chromaticities look like, for plots; as examples/colorimeter/tint.rs.
+// What wavelengths and chromaticities look like, for plots; as examples/cli/src/output/tint.rs.
 
 /** @type {Float32Array} x, y, z of CIE 1931 at 360..830 nm, one row after the other */
 let eye = new Float32Array(3 * 471);

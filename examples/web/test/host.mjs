@@ -1,22 +1,18 @@
-// The crate's command-line examples, to compare with.
+// The program `nanospectra` and its commands, to compare with.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const target = process.env.CARGO_TARGET_DIR ?? `${root}target`;
 
-/** Builds them, once. */
+/** Builds it, once. */
 export function build() {
-  execFileSync(
-    'cargo',
-    ['build', '--quiet', '--release', '--example', 'colorimeter', '--example', 'scene', '--example', 'paint'],
-    { cwd: root, stdio: 'inherit' },
-  );
+  execFileSync('cargo', ['build', '--quiet', '--release', '-p', 'nanospectra-cli'], { cwd: root, stdio: 'inherit' });
 }
 
-/** @param {string} example @param {string[]} args @param {string} [input] @returns {object[]} the JSON of each line */
-export function json(example, args, input = '') {
-  const done = run(example, ['--json', ...args], input);
+/** @param {string} command @param {string[]} args @param {string} [input] @returns {object[]} the JSON of each line */
+export function json(command, args, input = '') {
+  const done = run(command, ['--json', ...args], input);
   if (done.status !== 0) throw new Error(done.stderr);
   return done.stdout
     .trim()
@@ -25,6 +21,7 @@ export function json(example, args, input = '') {
 }
 
 /** @returns {{status: number, stdout: string, stderr: string}} */
-export function run(example, args, input = '') {
-  return spawnSync(`${target}/release/examples/${example}`, args, { input, encoding: 'utf8', maxBuffer: 1 << 28 });
+export function run(command, args, input = '') {
+  const options = { input, encoding: 'utf8', maxBuffer: 1 << 28 };
+  return spawnSync(`${target}/release/nanospectra`, [command, ...args], options);
 }

@@ -15,7 +15,7 @@ const BUILDS = [
   ['plain', false],
   ['simd128', true],
 ];
-const bundled = new URL('../../colorimeter/data/l41_white_led.csv', import.meta.url);
+const bundled = new URL('../../cli/data/l41_white_led.csv', import.meta.url);
 const golden = (name) =>
   readFileSync(new URL(`../../../tests/data/${name}.csv`, import.meta.url), 'utf8')
     .trim()
@@ -60,7 +60,7 @@ function same(reading, expected) {
 
 /** What stops the command line, as it says it. */
 function refusal(args, text) {
-  const { status, stderr } = host.run('colorimeter', [...args, '-'], text);
+  const { status, stderr } = host.run('measure', [...args, '-'], text);
   assert.equal(status, 2, text);
   return stderr.trim();
 }
@@ -72,7 +72,7 @@ for (const [name, simd] of BUILDS) {
   test(`${name}: every number about every CIE lamp is the command line's`, () => {
     let count = 0;
     for (const text of files()) {
-      const expected = host.json('colorimeter', ['-'], text);
+      const expected = host.json('measure', ['-'], text);
       each(text).forEach((reading, k) => same(reading, expected[k]));
       count += expected.length;
     }
@@ -90,7 +90,7 @@ for (const [name, simd] of BUILDS) {
     ];
     for (const option of options) {
       const [[key, value]] = Object.entries(option);
-      same(each(text, option)[0], host.json('colorimeter', [`--${key}`, value, '-'], text)[0]);
+      same(each(text, option)[0], host.json('measure', [`--${key}`, value, '-'], text)[0]);
     }
   });
 
@@ -100,14 +100,14 @@ for (const [name, simd] of BUILDS) {
       Math.exp(-(((k - 380) / 60) ** 2)) + 0.01,
     ]);
     const text = rows.map((row) => row.join(',')).join('\n');
-    same(each(text)[0], host.json('colorimeter', ['-'], text)[0]);
+    same(each(text)[0], host.json('measure', ['-'], text)[0]);
     const regular = rows
       .map(([, value], k) => [350.1 + 0.6 * k, value])
       .map((row) => row.join(','))
       .join('\n');
     same(
       each(regular, { interpolation: 'sprague' })[0],
-      host.json('colorimeter', ['--interpolation', 'sprague', '-'], regular)[0],
+      host.json('measure', ['--interpolation', 'sprague', '-'], regular)[0],
     );
   });
 
@@ -115,7 +115,7 @@ for (const [name, simd] of BUILDS) {
     const text =
       'nm,red,paper,percentish\n400,0.05,0.7,0\n500,0.06,0.85,0\n580,0.2,0.88,1.2\n620,0.7,0.9,0.4\n700,0.75,0.9,0\n';
     for (const light of ['D65', 'A', 'FL11', 'LED-B3']) {
-      const expected = host.json('colorimeter', ['--reflectance', '--light', light, '-'], text);
+      const expected = host.json('measure', ['--reflectance', '--light', light, '-'], text);
       each(text, { reflectance: true, light }).forEach((reading, k) => same(reading, expected[k]));
     }
   });
@@ -123,7 +123,7 @@ for (const [name, simd] of BUILDS) {
   test(`${name}: dark, red and impossible lights get the command line's notes`, () => {
     const text =
       'nm,laser,coal,green,dip\n400,0,0,0,1\n500,0,0,0.001,-0.4\n550,0,0.0001,1,1\n600,0,0.01,0.001,1\n650,1,0.3,0,1\n651,0,0.31,0,0.2\n780,0,9,0,1\n';
-    const expected = host.json('colorimeter', ['-'], text);
+    const expected = host.json('measure', ['-'], text);
     each(text).forEach((reading, k) => same(reading, expected[k]));
   });
 
@@ -338,7 +338,7 @@ test('headings, separators, comments and quotes are read as the command line rea
     'lambda a b\n400 1. +2\n700 3 4\n',
   ];
   for (const text of texts) {
-    const expected = host.json('colorimeter', ['-'], text);
+    const expected = host.json('measure', ['-'], text);
     parse(text, 'stdin').forEach((source, k) => same(loaded.get(true).light.spectrum(source), expected[k]));
   }
 });

@@ -13,7 +13,7 @@ import * as host from './host.mjs';
 
 const folder = fileURLToPath(new URL('../dist/page', import.meta.url));
 const pictures = fileURLToPath(new URL('../dist/pictures', import.meta.url));
-const bundled = fileURLToPath(new URL('../../colorimeter/data/l41_white_led.csv', import.meta.url));
+const bundled = fileURLToPath(new URL('../../cli/data/l41_white_led.csv', import.meta.url));
 const KEYS = {
   XYZ: 'XYZ',
   xy: 'xy',
@@ -81,11 +81,11 @@ const check = (name, work) =>
     assert.deepEqual(page.errors, [], 'errors in the console');
   });
 
-check('a file that is opened shows the numbers of colorimeter --json', async () => {
+check('a file that is opened shows the numbers of nanospectra measure --json', async () => {
   await page.open(root);
   await page.choose('#file', [bundled]);
   await page.until("document.querySelector('#numbers [data-key=cct_k]')?.textContent.startsWith('4102.8')");
-  const [expected] = host.json('colorimeter', [bundled]);
+  const [expected] = host.json('measure', [bundled]);
   await same(expected);
   // The bars have the colours of the samples: R9 is a strong red, R11 a green, R12 a blue.
   const bars = await page.value("[...document.querySelectorAll('#plot-cri rect[fill^=rgb]')].map((bar) => bar.getAttribute('fill'))");
@@ -98,15 +98,15 @@ check('so does one that is dropped, with several spectra, by every setting', asy
   const content = 'nm,first,second\n380,0.1,0.5\n450,1.25,0.6\n555,0.3,0.7\n620,0.9,0.8\n780,0.05,0.9\n';
   await drop('two.csv', content);
   await page.until("!document.querySelector('#column').parentElement.hidden");
-  const [first, second] = host.json('colorimeter', ['-'], content);
+  const [first, second] = host.json('measure', ['-'], content);
   await same(first);
   await page.select('#column', '1');
   await same(second);
   await page.select('#observer', '1964');
-  await same(host.json('colorimeter', ['--observer', '1964', '-'], content)[1]);
+  await same(host.json('measure', ['--observer', '1964', '-'], content)[1]);
   await page.select('#observer', '1931');
   await page.select('#unit', 'absolute');
-  const [, absolute] = host.json('colorimeter', ['--unit', 'absolute', '-'], content);
+  const [, absolute] = host.json('measure', ['--unit', 'absolute', '-'], content);
   await same(absolute);
   const numbers = await shown();
   assert.equal(numbers.lux, text(absolute.lux));
@@ -116,7 +116,7 @@ check('so does one that is dropped, with several spectra, by every setting', asy
   await page.select('#column', '1');
   await page.select('#under', 'FL11');
   const [, surface] = host.json(
-    'colorimeter',
+    'measure',
     ['--reflectance', '--light', 'FL11', '-'],
     content.replace('1.25', '0.25'),
   );
@@ -127,7 +127,7 @@ check('so does one that is dropped, with several spectra, by every setting', asy
 check('what is wrong with a file is said in the words of the command line', async () => {
   await page.open(root);
   for (const content of ['nm,a\n500,1\n490,2\n', '500,1\n505,NaN\n', '', 'nm,a\n500,\n']) {
-    const { stderr } = host.run('colorimeter', ['-'], content);
+    const { stderr } = host.run('measure', ['-'], content);
     await drop('stdin', content);
     await page.until(`document.querySelector('#failure').textContent === ${JSON.stringify(stderr.trim())}`);
   }
@@ -146,7 +146,7 @@ check('a bundled lamp, a pasted text and a link give the same', async () => {
   await page.until("document.querySelector('#failure').textContent === '' && location.hash.includes('data')");
   const pasted = await shown(),
     link = await page.value('location.href');
-  await same(host.json('colorimeter', ['-'], 'nm;a\n400;1\n700;2\n')[0]);
+  await same(host.json('measure', ['-'], 'nm;a\n400;1\n700;2\n')[0]);
   await page.open(link);
   assert.deepEqual(await shown(), pasted);
 });
@@ -239,7 +239,7 @@ check('a spectrum is drawn by pointer and by keyboard, and the link carries it',
   assert.notEqual(final.xy, drawn.xy);
   const values = (await page.value("new URLSearchParams(location.hash.slice(1)).get('drawn')")).split(',');
   const content = values.map((value, k) => `${380 + 10 * k},${value / 100}`).join('\n');
-  await same(host.json('colorimeter', ['-'], content)[0]);
+  await same(host.json('measure', ['-'], content)[0]);
 });
 
 check('paint shows three methods, their round trips and lamps', async () => {
@@ -385,7 +385,7 @@ check('plots and data can be saved', async () => {
   assert.match(String(await wait('tm30.svg')), /^<svg /);
   assert.equal((await wait('chromaticity-1931.png')).subarray(1, 4).toString(), 'PNG');
   const csv = String(await wait('spectrum.csv')),
-    [expected] = host.json('colorimeter', ['-'], csv);
+    [expected] = host.json('measure', ['-'], csv);
   assert.equal(JSON.parse(await wait('spectrum.json')).cct_k, expected.cct_k);
   for (const tab of ['paint', 'scene', 'cost']) {
     await page.open(`${root}?save#tab=${tab}`);

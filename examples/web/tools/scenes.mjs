@@ -1,8 +1,8 @@
-// The scenes of examples/scene for the page.
+// The scenes of examples/cli for the page.
 import { readdirSync, readFileSync } from 'node:fs';
 import { toml } from './toml.mjs';
 
-const folder = new URL('../../scene/data/', import.meta.url);
+const folder = new URL('../../cli/data/scenes/', import.meta.url);
 
 /** @returns {Record<string, object>} by name */
 export function scenes() {

@@ -1,11 +1,11 @@
 //! The scenes that come with the program `scene`, on fewer bands.
 
 use super::scenes::{LAMPS, SCENES, under};
-use crate::answer::{Answer, answer_on};
 use crate::cells::{COUNTED, RANGE, beaten, counted, range};
 use crate::report::{Cell, Column, Table};
 use model::delta_e::de2000;
 use nanospectra::{Bins, Grid, Nodes};
+use nanospectra_cli::scene::answer::{Answer, answer_on};
 
 pub fn table() -> Table {
     let mut columns = vec![Column::key("scene", "scene"), Column::key("bands", "bands")];

@@ -1,12 +1,12 @@
 //! The scenes that come with the program `scene`, each without one of its parts.
 
-use crate::answer::Answer;
-use crate::bundled;
 use crate::cells::{COUNTED, RANGE, counted, range};
-use crate::failure::Failure;
-use crate::file::{self, Recipe};
-use crate::grids;
 use crate::report::{Cell, Column, Table};
+use nanospectra_cli::failure::Failure;
+use nanospectra_cli::scene::answer::Answer;
+use nanospectra_cli::scene::bundled;
+use nanospectra_cli::scene::file::{self, Recipe};
+use nanospectra_cli::scene::grids;
 use std::path::Path;
 
 pub const SCENES: [&str; 6] = ["paper", "vest", "asphalt", "soap", "wine", "window"];

@@ -2,7 +2,7 @@
 
 use super::grouped;
 use crate::counts::{self, Profile};
-use crate::failure::Failure;
+use nanospectra_cli::failure::Failure;
 
 const M4F: &str = "thumbv7em-none-eabihf";
 const BOARDS: [&str; 4] =

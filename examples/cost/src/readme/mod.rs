@@ -6,7 +6,7 @@
 mod counted;
 mod made;
 
-use crate::failure::Failure;
+use nanospectra_cli::failure::Failure;
 use serde_json::Value;
 
 const START: &str = "<!-- cost: ";

@@ -1,0 +1,229 @@
+//! Text to columns of numbers. Strict: whatever is not plainly a table of numbers is an error.
+
+use super::{lines, text};
+use crate::failure::{Failure, short};
+use std::path::Path;
+
+/// A wavelength column and the columns beside it.
+#[derive(Debug)]
+pub struct Table {
+    /// The line each row was read from, counted from 1.
+    pub lines: Vec<usize>,
+    /// Wavelengths in nm, strictly increasing, at least two.
+    pub wavelengths: Vec<f64>,
+    /// At least one.
+    pub columns: Vec<Column>,
+}
+
+/// One column of values.
+#[derive(Debug)]
+pub struct Column {
+    /// From the heading line.
+    pub name: Option<String>,
+    /// As many as there are wavelengths, all finite.
+    pub values: Vec<f64>,
+}
+
+/// What stands between the cells of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Separator {
+    Mark(char),
+    Blanks,
+}
+
+/// The table of a file, or of standard input for `-`, and what messages call it.
+pub fn read(path: &Path) -> Result<(String, Table), Failure> {
+    let (file, text) = text::read(path)?;
+    let table = parse(&file, &text)?;
+    Ok((file, table))
+}
+
+/// The table in a text; `file` is its name for messages.
+pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
+    let rows = lines::rows(text);
+    let at = |number: usize| move |what: String| Failure::at(file, number, what);
+
+    let Some((separator, first_row)) = rows.clone().find_map(|(line, number)| {
+        let cell = line.trim_start().trim_start_matches('"');
+        let cell = cell.split([',', ';', '\t', ' ', '"']).next()?;
+        number_in(cell).map(|_| (Separator::of(line), number))
+    }) else {
+        let line = rows.clone().next().map_or(1, |(_, number)| number);
+        return Err(at(line)(
+            "no row of numbers; give rows of a wavelength in nm and one or more values".into(),
+        ));
+    };
+
+    let mut heading: Option<(Vec<String>, usize)> = None;
+    let mut table = Table { lines: Vec::new(), wavelengths: Vec::new(), columns: Vec::new() };
+    for (line, number) in rows {
+        let cells = separator.cells(line).map_err(at(number))?;
+        if number < first_row {
+            if heading.is_some() {
+                return Err(at(number)(
+                    "neither a heading nor numbers; begin the line with '#' to skip it".into(),
+                ));
+            }
+            check_heading(&cells).map_err(at(number))?;
+            heading = Some((cells, number));
+            continue;
+        }
+        if table.lines.is_empty() {
+            table.columns = columns(&cells, heading.as_ref()).map_err(at(number))?;
+        }
+        table.push(&cells, number).map_err(at(number))?;
+    }
+    match table.lines[..] {
+        [only] => Err(at(only)("one sample is not a spectrum; give two or more".into())),
+        _ => Ok(table),
+    }
+}
+
+impl Separator {
+    /// The separator of a row of numbers: a semicolon goes before a tab before a comma, because a
+    /// comma may also be somebody's decimal point (and is then refused as a number).
+    fn of(row: &str) -> Self {
+        let bare: String = row.split('"').step_by(2).collect();
+        let mark = [';', '\t', ','].into_iter().find(|mark| bare.contains(*mark));
+        mark.map_or(Separator::Blanks, Separator::Mark)
+    }
+
+    fn cells(self, line: &str) -> Result<Vec<String>, String> {
+        lines::check(line)?;
+        if line.contains('"') {
+            return self.quoted(line);
+        }
+        Ok(match self {
+            Separator::Mark(mark) => line.split(mark).map(|cell| cell.trim().to_owned()).collect(),
+            Separator::Blanks => line.split_whitespace().map(str::to_owned).collect(),
+        })
+    }
+
+    fn quoted(self, line: &str) -> Result<Vec<String>, String> {
+        let delimiter = match self {
+            Separator::Mark(mark) => mark,
+            Separator::Blanks => ' ',
+        };
+        // CSV wants quotes right beside the separators; `nm, "a"` has a blank between.
+        let mut parts: Vec<&str> = line.split('"').collect();
+        let last = parts.len() - 1;
+        for (k, part) in parts.iter_mut().enumerate().step_by(2) {
+            let outside = if delimiter == ' ' { *part } else { part.trim_matches(' ') };
+            let apart =
+                (k == 0 || outside.starts_with(delimiter)) && (k == last || outside.ends_with(delimiter));
+            if !outside.is_empty() && !apart {
+                return Err("text beside a quoted cell; put the quotes around the whole cell".into());
+            }
+            *part = outside;
+        }
+        let mut cells = lines::cells(&parts.join("\""), delimiter)?;
+        cells.retain(|cell| self != Separator::Blanks || !cell.is_empty());
+        Ok(cells)
+    }
+}
+
+/// A first line without a wavelength is a heading only if it looks like one: a slip in the first
+/// row of numbers must not turn the row into names.
+fn check_heading(cells: &[String]) -> Result<(), String> {
+    let first = cells.first().map_or("", String::as_str);
+    let plain = first.to_lowercase();
+    let names_wavelengths = ["nm", "wave", "lambda", "λ", "wl"].iter().any(|word| plain.contains(word));
+    let starts_like_number = first.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    let numbers_follow = cells.len() > 1 && cells[1..].iter().all(|cell| number_in(cell).is_some());
+    if starts_like_number || (numbers_follow && !names_wavelengths) {
+        return Err(format!(
+            "'{}' is not a wavelength; correct it, or begin the heading with 'nm' if this is one",
+            short(first)
+        ));
+    }
+    Ok(())
+}
+
+/// The columns that the first row promises, named by the heading.
+fn columns(row: &[String], heading: Option<&(Vec<String>, usize)>) -> Result<Vec<Column>, String> {
+    if row.len() < 2 {
+        return Err(
+            "no value beside the wavelength; give rows of a wavelength in nm and one or more values".into()
+        );
+    }
+    let mut names = vec![None; row.len() - 1];
+    if let Some((cells, line)) = heading {
+        if cells.len() != row.len() {
+            return Err(format!(
+                "{} here but {} in the heading (line {line}); make them agree (quote names that hold a separator)",
+                count(row.len()),
+                cells.len()
+            ));
+        }
+        for (name, cell) in names.iter_mut().zip(&cells[1..]) {
+            *name = (!cell.is_empty()).then(|| cell.clone());
+        }
+    }
+    Ok(names.into_iter().map(|name| Column { name, values: Vec::new() }).collect())
+}
+
+impl Table {
+    fn push(&mut self, cells: &[String], line: usize) -> Result<(), String> {
+        if cells.len() > 1 && cells.last().is_some_and(String::is_empty) {
+            return Err("the row ends with an empty cell; fill it in, or remove the last separator".into());
+        }
+        if cells.len() != self.columns.len() + 1 {
+            let wanted = self.columns.len() + 1;
+            return Err(format!(
+                "{} where the rows before have {wanted}; complete the row",
+                count(cells.len())
+            ));
+        }
+        let nm = number(&cells[0], "wavelength")?;
+        self.check_wavelength(nm)?;
+        for (k, (cell, column)) in cells[1..].iter().zip(&mut self.columns).enumerate() {
+            let what = column.name.as_ref().map_or(format!("cell {}", k + 2), |name| format!("'{name}'"));
+            column.values.push(number(cell, &what)?);
+        }
+        self.wavelengths.push(nm);
+        self.lines.push(line);
+        Ok(())
+    }
+
+    fn check_wavelength(&self, nm: f64) -> Result<(), String> {
+        if nm <= 0.0 {
+            return Err(format!("{nm} is not a wavelength; give nanometres above 0"));
+        }
+        let (Some(&before), Some(line)) = (self.wavelengths.last(), self.lines.last()) else {
+            return Ok(());
+        };
+        if nm == before {
+            return Err(format!("{nm} nm stands in line {line} too; keep one of the two rows"));
+        }
+        if nm < before {
+            return Err(format!("{nm} nm comes after {before} nm; sort the rows by wavelength"));
+        }
+        if nm as f32 == before as f32 {
+            return Err(format!("{nm} nm is too near to {before} nm to tell apart; use wider steps"));
+        }
+        Ok(())
+    }
+}
+
+fn number(cell: &str, what: &str) -> Result<f64, String> {
+    if cell.is_empty() {
+        return Err(format!("{what} is empty; fill it in (0 if nothing was measured is for you to say)"));
+    }
+    let said = short(cell);
+    match number_in(cell) {
+        Some(number) if number.is_finite() => Ok(number),
+        Some(_) => Err(format!("{what} is {said}, not a finite number; correct it")),
+        None if number_in(&cell.replacen(',', ".", 1)).is_some() => {
+            Err(format!("{what} is '{said}'; write the decimal point as '.'"))
+        }
+        None => Err(format!("{what} is '{said}', not a number; correct it")),
+    }
+}
+
+fn number_in(cell: &str) -> Option<f64> {
+    cell.parse().ok()
+}
+
+fn count(cells: usize) -> String {
+    if cells == 1 { "1 cell".into() } else { format!("{cells} cells") }
+}

@@ -1,0 +1,149 @@
+//! The command line.
+
+use crate::failure::Failure;
+use crate::input::text::check_stdin;
+use clap::ValueEnum;
+use nanospectra::observer::{CIE_1931, CIE_1964, CIE_2015_2, CIE_2015_10};
+use nanospectra::{FineObserver, Interpolation};
+use std::path::PathBuf;
+
+const INPUT: &str = "\
+Input:
+  Text in UTF-8: the first column is the wavelength in nm, every other column is a spectrum.
+  Cells are separated by commas, semicolons, tabs or blanks; '#' starts a comment line; one
+  heading line may name the columns. Wavelengths must increase. Nothing is sorted, dropped or
+  guessed: what is wrong ends the program with exit code 2 and one line that says where. All
+  input is checked before anything is printed, so there are no half reports.
+  Spectra without a heading are called after their file: FILE, or FILE:1, FILE:2, ..
+  --light takes a name for a CIE illuminant if it is one; write ./A for a file called A.
+
+Conventions:
+  Samples are interpolated to 1 nm and summed over 360..830 nm. Outside its data a light is
+  zero, a reflectance keeps its end values.
+  XYZ: Y = 100 for a relative light and for the perfect white; lx for --unit absolute.
+  CCT, Duv, CRI and all of photometry use the CIE 1931 2 degree observer and TM-30 its own;
+  --observer is for XYZ, chromaticity, dominant wavelength, Lab and sRGB.
+  Dominant wavelength and excitation purity are seen from the equal-energy white for lights,
+  from the light's own white for reflectances; a complementary wavelength is negative.
+  sRGB: of a light its chromaticity at Y = 1; of a reflectance adapted (Bradford) from its light
+  to D65. Both are clipped to the gamut, with a note.
+  --compare gives this minus FILE. y_ratio is of the numbers as read. spectral_rms is the root
+  mean square difference over 360..830 nm; for lights both are brought to the same Y first, and
+  it is a share of FILE's root mean square.";
+
+/// Every number that matters about measured spectra: colour, colour temperature, rendering,
+/// photometry.
+#[derive(Debug, Default, clap::Args)]
+#[command(after_help = INPUT)]
+pub struct Args {
+    /// Spectra to report on; '-' is standard input. Without any: CIE L41, a white LED
+    #[arg(value_name = "FILES")]
+    pub files: Vec<PathBuf>,
+
+    /// Colour-matching functions
+    #[arg(long, value_enum, default_value_t)]
+    pub observer: Eye,
+
+    /// The spectra are reflectances (shares 0..1) of surfaces, not lights
+    #[arg(long)]
+    pub reflectance: bool,
+
+    /// What lights the surfaces: a CIE illuminant (D65, A, FL11, LED-B3, FL3.1, E, ..) or a file
+    /// with one spectrum [default: D65]
+    #[arg(long, value_name = "NAME|FILE", requires = "reflectance")]
+    pub light: Option<PathBuf>,
+
+    /// What a light's numbers mean: absolute is W/m2/nm, and brings lux and PPFD
+    #[arg(long, value_enum, default_value_t)]
+    pub unit: Unit,
+
+    /// How to read between the samples
+    #[arg(long, value_enum, default_value_t)]
+    pub interpolation: Between,
+
+    /// Also report the difference to the one spectrum in FILE
+    #[arg(long, value_name = "FILE")]
+    pub compare: Option<PathBuf>,
+
+    /// Print one JSON object a line, numbers unrounded
+    #[arg(long)]
+    pub json: bool,
+
+    /// Also draw each spectrum into DIR (made if missing), as NAME.svg
+    #[arg(long, value_name = "DIR")]
+    pub svg: Option<PathBuf>,
+}
+
+/// `--observer`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Eye {
+    #[default]
+    #[value(name = "1931", help = "CIE 1931, 2 degrees")]
+    Cie1931,
+    #[value(name = "1964", help = "CIE 1964, 10 degrees")]
+    Cie1964,
+    #[value(name = "2015-2", help = "CIE 2015, cone fundamentals, 2 degrees")]
+    Cie2015Deg2,
+    #[value(name = "2015-10", help = "CIE 2015, cone fundamentals, 10 degrees")]
+    Cie2015Deg10,
+}
+
+/// `--unit`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Unit {
+    #[default]
+    Relative,
+    Absolute,
+}
+
+/// `--interpolation`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Between {
+    #[default]
+    Linear,
+    Sprague,
+}
+
+impl Args {
+    /// What the command line alone shows to be wrong.
+    pub fn check(&self) -> Result<(), Failure> {
+        if self.reflectance && self.unit == Unit::Absolute {
+            return Err(Failure::of(
+                "--unit absolute",
+                "a reflectance has no unit; leave out --unit or --reflectance",
+            ));
+        }
+        check_stdin(self.files.iter().chain(&self.light).chain(&self.compare))
+    }
+}
+
+impl Eye {
+    /// The functions behind the name.
+    pub fn observer(self) -> &'static FineObserver<3> {
+        match self {
+            Eye::Cie1931 => &CIE_1931,
+            Eye::Cie1964 => &CIE_1964,
+            Eye::Cie2015Deg2 => &CIE_2015_2,
+            Eye::Cie2015Deg10 => &CIE_2015_10,
+        }
+    }
+
+    /// For reports.
+    pub fn title(self) -> &'static str {
+        match self {
+            Eye::Cie1931 => "CIE 1931, 2°",
+            Eye::Cie1964 => "CIE 1964, 10°",
+            Eye::Cie2015Deg2 => "CIE 2015, 2°",
+            Eye::Cie2015Deg10 => "CIE 2015, 10°",
+        }
+    }
+}
+
+impl From<Between> for Interpolation {
+    fn from(between: Between) -> Self {
+        match between {
+            Between::Linear => Interpolation::Linear,
+            Between::Sprague => Interpolation::Sprague,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Files, standard input and the lamp that comes with the program.
+
+use crate::failure::Failure;
+use crate::input::{table, text};
+use crate::measure::source::Source;
+use std::path::Path;
+use std::rc::Rc;
+
+/// CIE reference spectrum L41, a measured phosphor-converted white LED; source in its header.
+const LAMP: &str = include_str!("../../data/l41_white_led.csv");
+
+/// The lamp that is reported on when no file is given.
+pub fn bundled() -> Result<Vec<Source>, Failure> {
+    sources("l41_white_led.csv", "l41_white_led", LAMP)
+}
+
+/// All spectra of a file, or of standard input for `-`.
+pub fn read(path: &Path) -> Result<Vec<Source>, Failure> {
+    let (file, text) = text::read(path)?;
+    let stem = text::stem(Path::new(&file)).unwrap_or_else(|| file.clone());
+    sources(&file, &stem, &text)
+}
+
+/// The one spectrum of a file; `option` is what asked for it.
+pub fn read_one(path: &Path, option: &str) -> Result<Source, Failure> {
+    let mut sources = read(path)?;
+    match (sources.pop(), sources.len()) {
+        (Some(only), 0) => Ok(only),
+        (_, more) => Err(Failure::of(
+            path.display(),
+            format!("{} spectra where {option} wants one; save that one to a file of its own", more + 1),
+        )),
+    }
+}
+
+fn sources(file: &str, stem: &str, text: &str) -> Result<Vec<Source>, Failure> {
+    let table = table::parse(file, text)?;
+    let lines: Rc<[usize]> = table.lines.into();
+    let several = table.columns.len() > 1;
+    let spectra = table.columns.into_iter().zip(1..).map(|(column, k)| Source {
+        file: file.to_owned(),
+        name: column.name.unwrap_or_else(|| if several { format!("{stem}:{k}") } else { stem.to_owned() }),
+        lines: Rc::clone(&lines),
+        samples: table.wavelengths.iter().copied().zip(column.values).collect(),
+    });
+    Ok(spectra.collect())
+}

@@ -1,0 +1,61 @@
+//! From measured spectra to every number that matters about them.
+//!
+//! A file becomes a [`table`](crate::input::table), its columns [`source`]s, each of them a [`reading`], and that a
+//! report: [`text`], [`json`] or a [`picture`].
+
+mod args;
+mod exact;
+mod facts;
+mod input;
+mod json;
+mod lights;
+mod picture;
+mod reading;
+mod source;
+mod text;
+
+pub use args::Args;
+
+use crate::failure::Failure;
+use crate::output::{Progress, terminal};
+use reading::Bench;
+use std::path::PathBuf;
+
+/// Reports on the files, or on the bundled lamp.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    args.check()?;
+    if args.reflectance && args.files.is_empty() {
+        return Err(Failure::of(
+            "--reflectance",
+            "the bundled spectrum is a lamp; give FILES with reflectances",
+        ));
+    }
+    let bench = Bench::new(args)?;
+    let reference = reading::reference(&bench, args)?;
+    let mut sources = if args.files.is_empty() { input::bundled()? } else { Vec::new() };
+    for path in &args.files {
+        sources.extend(input::read(path)?);
+    }
+
+    // All are measured before any is reported: an error leaves no half report behind.
+    let mut progress = Progress::of(sources.len());
+    let mut readings = Vec::with_capacity(sources.len());
+    for source in &sources {
+        progress.step();
+        readings.push(bench.measure_and_compare(source, reference.as_ref())?);
+    }
+    drop(progress);
+
+    let pictures = match &args.svg {
+        Some(directory) => picture::save_all(directory, &bench, &readings)?,
+        None => Vec::new(),
+    };
+    let truecolor = terminal::is_colorful();
+    let report = |(k, reading)| {
+        if args.json {
+            return format!("{}\n", json::object(&bench, reading));
+        }
+        text::report(&bench, reading, pictures.get(k).map(PathBuf::as_path), truecolor)
+    };
+    terminal::print(&readings.iter().enumerate().map(report).collect::<String>())
+}

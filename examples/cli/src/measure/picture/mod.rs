@@ -1,0 +1,113 @@
+//! One SVG for each reading: the spectrum in its colours, its place in the chromaticity diagram, a
+//! swatch and the numbers.
+
+mod chromaticity;
+
+use crate::failure::{Failure, printable};
+use crate::measure::args::Unit;
+use crate::measure::facts;
+use crate::measure::reading::{Bench, Reading};
+use crate::picture::spectrum::{self, Spectrum};
+use crate::picture::{self, Area, FAINT, GRID, label, refused};
+use std::collections::HashSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use svg::Document;
+use svg::node::element::Group;
+
+/// What is drawn of a spectrum, in nm; the tables begin at 360.
+const FIRST: usize = 380;
+const LAST: usize = 780;
+/// Longest title, in characters.
+const TITLE: usize = 70;
+/// Longest file name without `.svg`, in characters: below 255 bytes in any script.
+const FILE_NAME: usize = 60;
+
+/// Draws every reading into a file of `directory`, which is made if missing; the files in order.
+pub fn save_all(directory: &Path, bench: &Bench, readings: &[Reading]) -> Result<Vec<PathBuf>, Failure> {
+    fs::create_dir_all(directory).map_err(|error| refused(directory, &error, "directory"))?;
+    let mut taken = HashSet::new();
+    let mut paths = Vec::new();
+    for reading in readings {
+        let path = directory.join(file_name(&reading.name, &mut taken));
+        svg::save(&path, &page(bench, reading)).map_err(|error| refused(&path, &error, "directory"))?;
+        paths.push(path);
+    }
+    Ok(paths)
+}
+
+/// A name that every file system takes, and that no earlier spectrum has (whatever its case).
+fn file_name(name: &str, taken: &mut HashSet<String>) -> String {
+    let safe = name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' });
+    let safe: String = safe.take(FILE_NAME).collect();
+    let safe = safe.trim_matches('.');
+    let safe = if safe.is_empty() { "spectrum" } else { safe };
+    let numbered = (2..).map(|k| format!("{safe}-{k}"));
+    std::iter::once(safe.to_owned())
+        .chain(numbered)
+        .find(|name| taken.insert(name.to_lowercase()))
+        .map_or_else(String::new, |name| name + ".svg")
+}
+
+fn page(bench: &Bench, reading: &Reading) -> Document {
+    let diagram = Area { left: 730.0, top: 90.0, width: 340.0, height: 382.5 };
+    let name = printable(&reading.name);
+    let title = if name.chars().count() > TITLE {
+        name.chars().take(TITLE - 1).chain(['…']).collect()
+    } else {
+        name
+    };
+    let under = bench.room.as_ref().map(|room| format!("reflectance under {}", printable(&room.light.name)));
+    let subtitle = format!("{}  ·  {}", under.unwrap_or("light".into()), bench.eye.title());
+    picture::page(740.0, &title, &subtitle)
+        .add(curve(bench, reading))
+        .add(chromaticity::draw(diagram, bench, reading))
+        .add(numbers(bench, reading))
+        .add(swatch(reading))
+}
+
+fn curve(bench: &Bench, reading: &Reading) -> Group {
+    let (values, title) = ordinates(bench, reading);
+    let shown: Vec<(f32, f32)> =
+        (FIRST..=LAST).map(|nm| nm as f32).zip(values[FIRST - 360..=LAST - 360].iter().copied()).collect();
+    let low = shown.iter().map(|point| point.1).fold(0.0, f32::min);
+    let high = shown.iter().map(|point| point.1).fold(0.0, f32::max);
+    let (low, high) = if low < high { (low, high) } else { (0.0, 1.0) };
+    let area = Area { left: 80.0, top: 90.0, width: 560.0, height: 330.0 };
+    let spectrum = Spectrum { filled: &shown, low, high, ..Spectrum::default() };
+    spectrum::draw(area, ["wavelength / nm", title], &spectrum)
+}
+
+/// The numbers to draw, and what they are.
+fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f32>, &'static str) {
+    let times = |k: f64| reading.curve.values().iter().map(|value| (f64::from(*value) * k) as f32).collect();
+    match (&bench.room, bench.unit) {
+        (Some(_), _) => (times(1.0), "reflectance"),
+        (None, Unit::Absolute) => (times(reading.scale()), "W / m² / nm"),
+        (None, Unit::Relative) => {
+            let peak = reading.curve.values().iter().copied().fold(0.0, f32::max);
+            (times(1.0 / f64::from(peak)), "relative spectral power")
+        }
+    }
+}
+
+/// The facts in two columns under the spectrum.
+fn numbers(bench: &Bench, reading: &Reading) -> Group {
+    let facts = facts::facts(bench, reading);
+    let rows = facts.len().div_ceil(2).max(8);
+    let mut group = Group::new();
+    for (k, fact) in facts.iter().enumerate() {
+        let (column, row) = ((k / rows) as f32, (k % rows) as f32);
+        let (x, y) = (30.0 + 395.0 * column, 510.0 + 25.0 * row);
+        group = group.add(label(x, y, &fact.label).set("fill", FAINT)).add(label(x + 145.0, y, &fact.value));
+    }
+    group
+}
+
+/// The colour, as well as a display can show it.
+fn swatch(reading: &Reading) -> Group {
+    let Some(hex) = reading.hex.as_deref() else { return Group::new() };
+    let area = Area { left: 850.0, top: 545.0, width: 220.0, height: 130.0 };
+    let square = area.rectangle().set("rx", 8).set("fill", hex).set("stroke", GRID);
+    Group::new().add(square).add(label(960.0, 700.0, hex).set("text-anchor", "middle"))
+}

@@ -1,0 +1,92 @@
+//! The difference between two spectra: this minus the reference.
+
+use super::{Bench, Note, Reading};
+use crate::measure::args::Unit;
+use nanospectra::color::{Cie94, cie76, cie94, ciede2000, cmc};
+
+/// How a spectrum differs from the reference. `None` stands where a number is not defined.
+pub struct Comparison {
+    /// Name of the reference.
+    pub to: String,
+    /// For a key of the report the difference, one or more numbers.
+    pub differences: Vec<(&'static str, Option<Difference>)>,
+}
+
+/// One number, or one for each coordinate.
+pub enum Difference {
+    One(f64),
+    Each(Vec<f32>),
+}
+
+pub fn compare(bench: &Bench, this: &Reading, reference: &Reading) -> (Comparison, Vec<Note>) {
+    let mut differences = chromaticity(this, reference);
+    if bench.room.is_some() {
+        differences.extend(surfaces(this, reference));
+    } else {
+        differences.extend(lights(this, reference));
+    }
+    let y_ratio = (reference.raw_y != 0.0).then(|| Difference::One(this.raw_y / reference.raw_y));
+    differences.push(("y_ratio", y_ratio));
+    differences.push(("spectral_rms", spectral_rms(this, reference, bench.room.is_none())));
+
+    let note = |key: &str, text: &str| Note { key: format!("compare.{key}"), text: text.to_owned() };
+    let missing = differences.iter().filter(|(_, value)| value.is_none());
+    let mut notes: Vec<Note> =
+        missing.map(|(key, _)| note(key, "not defined for one of the two spectra")).collect();
+    if bench.room.is_none() && bench.unit == Unit::Relative {
+        notes.push(note("y_ratio", "of the numbers as read: of use only if both share one unknown unit"));
+    }
+    (Comparison { to: reference.name.clone(), differences }, notes)
+}
+
+type Row = (&'static str, Option<Difference>);
+
+fn chromaticity(this: &Reading, reference: &Reading) -> Vec<Row> {
+    let xy = this.xy.zip(reference.xy).map(|(a, b)| Difference::Each(vec![a.x - b.x, a.y - b.y]));
+    let uv = this.uv1976.zip(reference.uv1976);
+    let distance = uv.map(|(a, b)| one((a.u - b.u).hypot(a.v - b.v)));
+    vec![("delta_xy", xy), ("delta_uv1976", distance)]
+}
+
+fn lights(this: &Reading, reference: &Reading) -> Vec<Row> {
+    let minus = |a: Option<f32>, b: Option<f32>| a.zip(b).map(|(a, b)| one(a - b));
+    vec![
+        ("delta_cct_k", minus(this.cct_k, reference.cct_k)),
+        ("delta_duv", minus(this.duv, reference.duv)),
+        ("delta_cri_ra", minus(this.cri_ra, reference.cri_ra)),
+        ("delta_tm30_rf", minus(this.tm30_rf, reference.tm30_rf)),
+        ("delta_tm30_rg", minus(this.tm30_rg, reference.tm30_rg)),
+    ]
+}
+
+fn surfaces(this: &Reading, reference: &Reading) -> Vec<Row> {
+    let Some((a, b)) = this.lab.zip(reference.lab) else {
+        let keys = ["delta_e2000", "delta_e94", "delta_e_cmc_2_1", "delta_e76", "delta_lab"];
+        return keys.map(|key| (key, None)).into();
+    };
+    vec![
+        ("delta_e2000", Some(one(ciede2000(a, b)))),
+        ("delta_e94", Some(one(cie94(b, a, Cie94::GraphicArts)))),
+        ("delta_e_cmc_2_1", Some(one(cmc(b, a, 2.0, 1.0)))),
+        ("delta_e76", Some(one(cie76(a, b)))),
+        ("delta_lab", Some(Difference::Each(vec![a.l - b.l, a.a - b.a, a.b - b.b]))),
+    ]
+}
+
+/// How far apart the curves are. Lights are brought to the same Y first, because their level
+/// says where the meter stood; the result is then a share of the reference.
+fn spectral_rms(this: &Reading, reference: &Reading, lights: bool) -> Option<Difference> {
+    let level = |reading: &Reading| if lights { reading.curve_y } else { 1.0 };
+    let (a, b) = (level(this), level(reference));
+    let (mut apart, mut own) = (0.0, 0.0);
+    for (x, y) in this.curve.values().iter().zip(reference.curve.values()) {
+        apart += (f64::from(*x) / a - f64::from(*y) / b).powi(2);
+        own += (f64::from(*y) / b).powi(2);
+    }
+    let whole = if lights { own } else { this.curve.values().len() as f64 };
+    (whole > 0.0).then(|| Difference::One((apart / whole).sqrt()))
+}
+
+fn one(value: f32) -> Difference {
+    Difference::One(f64::from(value))
+}

@@ -1,0 +1,115 @@
+//! The numbers about a light.
+
+use super::{Bench, Reading};
+use crate::failure::Failure;
+use crate::measure::args::{Eye, Unit};
+use crate::measure::source::{Lamp, Source};
+use nanospectra::color::{Cct, Rgb, Xy, Xyz, cri, tm30};
+use nanospectra::observer::{CIE_1931, KM};
+use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
+use nanospectra::{Fine, Outside, Power};
+
+/// Equal energy: what the dominant wavelength of a light is seen from.
+const E: Xy = Xy { x: 1.0 / 3.0, y: 1.0 / 3.0 };
+
+/// CIE 13.3: a test light further than this from its reference has no meaningful Ra.
+const MAX_DC: f32 = 5.4e-3;
+
+pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
+    let Lamp { power, scale } = source.light(bench.by())?;
+    let seen = Xyz::from(bench.eye.observer().sees(&power));
+    let standard = Xyz::from(CIE_1931.sees(&power));
+    let relative =
+        seen.with_y(100.0).filter(|_| standard.y > 0.0).ok_or_else(|| source.invisible(bench.eye))?;
+
+    let mut reading = Reading::of(bench, source, relative, E);
+    reading.curve_y = f64::from(seen.y);
+    reading.raw_y = reading.curve_y * scale;
+    if bench.unit == Unit::Absolute {
+        reading.xyz = seen.to_array().map(|value| f64::from(value * KM) * scale);
+    }
+    white(&mut reading, standard);
+    rendering(&mut reading, &power);
+    photometry(&mut reading, bench.unit, &power, scale);
+
+    reading.show(Rgb::from_xyz_y100(relative));
+    reading.note("srgb", "the light's chromaticity at Y = 1, clipped to the gamut; so is hex");
+    let surfaces = "a light has none: it needs a surface and a white";
+    reading.missing(&["lab", "delta_e2000"], surfaces);
+    if bench.eye != Eye::Cie1931 {
+        reading.note(
+            "observer",
+            format!(
+                "{} for XYZ, chromaticity, dominant wavelength and sRGB; \
+                 CCT, Duv, CRI and photometry stay with CIE 1931",
+                bench.eye.title()
+            ),
+        );
+    }
+    for remark in source.remarks(bench.by(), Outside::Zero) {
+        reading.note("data", remark);
+    }
+    reading.curve = power;
+    Ok(reading)
+}
+
+/// Colour temperature.
+fn white(reading: &mut Reading, standard: Xyz) {
+    let why = match standard.uv1960().map(|uv| uv.cct()) {
+        Some(Cct::Near { cct_k, duv }) => {
+            reading.cct_k = Some(cct_k);
+            reading.duv = Some(duv);
+            return;
+        }
+        Some(Cct::TooCold) => "redder than a black body of 1000 K",
+        Some(Cct::TooHot) => "bluer than a black body of a million K",
+        Some(_) => "not a white: more than 0.05 from the Planckian locus",
+        None => "no chromaticity for the 1931 observer",
+    };
+    reading.missing(&["cct_k", "duv"], why);
+}
+
+/// How the light renders colours.
+fn rendering(reading: &mut Reading, power: &Fine<Power>) {
+    match cri(power) {
+        Ok(cri) => {
+            reading.cri_ra = Some(cri.ra);
+            reading.cri_r = Some(cri.r);
+            if cri.dc > MAX_DC {
+                reading.note(
+                    "cri_ra",
+                    format!(
+                        "{:.4} from the reference light in uv, CIE 13.3 allows 0.0054: of little meaning",
+                        cri.dc
+                    ),
+                );
+            }
+        }
+        Err(error) => reading.missing(&["cri_ra", "cri_r"], &error.to_string()),
+    }
+    match tm30(power) {
+        Ok(tm30) => {
+            reading.tm30_rf = Some(tm30.rf);
+            reading.tm30_rg = Some(tm30.rg);
+        }
+        Err(error) => reading.missing(&["tm30_rf", "tm30_rg"], &error.to_string()),
+    }
+}
+
+/// What the light does: for the eye, the inner clock, plants.
+fn photometry(reading: &mut Reading, unit: Unit, power: &Fine<Power>, scale: f64) {
+    reading.ler_lm_per_w = luminous_efficacy(power);
+    if reading.ler_lm_per_w.is_none() {
+        reading.missing(&["ler_lm_per_w"], "the power over 360..830 nm does not sum to more than zero");
+    }
+    reading.melanopic_edi_ratio = AlphaOpic::der(power).map(|ratios| ratios.melanopic);
+    if reading.melanopic_edi_ratio.is_none() {
+        reading.missing(&["melanopic_edi_ratio"], "no luminance to compare with");
+    }
+    if unit == Unit::Absolute {
+        reading.lux = Some(f64::from(illuminance(power)) * scale);
+        reading.ppfd = Some(f64::from(ppfd(power)) * scale);
+    } else {
+        reading.missing(&["lux", "ppfd"], "relative input; give W/m2/nm and --unit absolute");
+    }
+}

@@ -1,0 +1,234 @@
+//! From a spectrum to every number about it.
+
+mod compare;
+mod lamp;
+mod surface;
+
+pub use compare::{Comparison, Difference};
+
+use crate::failure::Failure;
+use crate::measure::args::{Args, Between, Eye, Unit};
+use crate::measure::input;
+use crate::measure::lights::{self, Illuminant};
+use crate::measure::source::Source;
+use nanospectra::color::{Lab, Rgb, Srgb, Uv1960, Uv1976, Xy, Xyz, dominant_wavelength};
+use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
+use std::path::Path;
+
+/// What all spectra of a run are measured with.
+pub struct Bench {
+    pub eye: Eye,
+    pub between: Between,
+    pub unit: Unit,
+    /// For reflectances.
+    pub room: Option<Room>,
+}
+
+/// The light on a surface, and the eye in that light.
+pub struct Room {
+    pub light: Illuminant,
+    eye: FineObserver<3, Factor>,
+    white: Xyz,
+}
+
+/// Every number about one spectrum. `None` stands where one is not defined; a note says why.
+pub struct Reading {
+    pub file: String,
+    pub name: String,
+    /// Y = 100 for a relative light and for white under a light, lx for an absolute light.
+    pub xyz: [f64; 3],
+    pub xy: Option<Xy>,
+    pub uv1960: Option<Uv1960>,
+    pub uv1976: Option<Uv1976>,
+    pub cct_k: Option<f32>,
+    pub duv: Option<f32>,
+    pub lux: Option<f64>,
+    pub ler_lm_per_w: Option<f32>,
+    pub lab: Option<Lab>,
+    /// Encoded, clipped to 0..=1.
+    pub srgb: Option<[f32; 3]>,
+    pub hex: Option<String>,
+    pub dominant_wavelength_nm: Option<f32>,
+    pub purity: Option<f32>,
+    pub cri_ra: Option<f32>,
+    pub cri_r: Option<[f32; 15]>,
+    pub tm30_rf: Option<f32>,
+    pub tm30_rg: Option<f32>,
+    pub melanopic_edi_ratio: Option<f32>,
+    pub ppfd: Option<f64>,
+    pub delta_e2000: Option<f32>,
+    /// The difference to the spectrum of `--compare`.
+    pub compare: Option<Comparison>,
+    pub notes: Vec<Note>,
+    /// The spectrum at every nanometre, for drawing and comparing; of a surface its reflectance.
+    pub curve: Fine<Power>,
+    /// Y of the curve.
+    curve_y: f64,
+    /// Y of the numbers as they were read.
+    raw_y: f64,
+}
+
+/// A word about one quantity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// The key of the JSON report, or `data` for the samples.
+    pub key: String,
+    pub text: String,
+}
+
+impl Bench {
+    /// As the options ask.
+    pub fn new(args: &Args) -> Result<Self, Failure> {
+        let mut bench =
+            Bench { eye: args.observer, between: args.interpolation, unit: args.unit, room: None };
+        if args.reflectance {
+            let name = args.light.as_deref().unwrap_or(Path::new("D65"));
+            let light = lights::find(name, bench.by(), bench.eye)?;
+            let eye = bench.eye.observer().under(&light.power).with_white_y(100.0);
+            let white = Xyz::from(eye.sees(&Fine::flat(1.0)));
+            bench.room = Some(Room { light, eye, white });
+        }
+        Ok(bench)
+    }
+
+    /// All numbers about a spectrum.
+    pub fn measure(&self, source: &Source) -> Result<Reading, Failure> {
+        let mut reading = match &self.room {
+            Some(room) => surface::measure(self, room, source),
+            None => lamp::measure(self, source),
+        }?;
+        reading.explain_the_rest();
+        if reading.xyz.iter().any(|value| !value.is_finite()) {
+            return Err(source.wrong("its sums are beyond all numbers; check the values and the unit"));
+        }
+        Ok(reading)
+    }
+
+    /// The same, and the difference to the spectrum of `--compare`.
+    pub fn measure_and_compare(
+        &self,
+        source: &Source,
+        reference: Option<&Reading>,
+    ) -> Result<Reading, Failure> {
+        let mut reading = self.measure(source)?;
+        if let Some(reference) = reference {
+            let (comparison, notes) = compare::compare(self, &reading, reference);
+            reading.notes.extend(notes);
+            reading.compare = Some(comparison);
+        }
+        Ok(reading)
+    }
+
+    fn by(&self) -> Interpolation {
+        self.between.into()
+    }
+}
+
+/// What `--compare` names, measured.
+pub fn reference(bench: &Bench, args: &Args) -> Result<Option<Reading>, Failure> {
+    let Some(path) = &args.compare else { return Ok(None) };
+    bench.measure(&input::read_one(path, "--compare")?).map(Some)
+}
+
+impl Room {
+    /// What a perfect white surface looks like in this light.
+    pub fn white(&self) -> Xyz {
+        self.white
+    }
+}
+
+impl Reading {
+    /// The numbers as they were read are the curve times this.
+    pub fn scale(&self) -> f64 {
+        if self.curve_y == 0.0 { 1.0 } else { self.raw_y / self.curve_y }
+    }
+
+    /// A reading with the colour filled in and nothing else; `xyz` may be at any scale.
+    fn of(bench: &Bench, source: &Source, xyz: Xyz, white: Xy) -> Self {
+        let mut reading = Reading {
+            file: source.file.clone(),
+            name: source.name.clone(),
+            xyz: xyz.to_array().map(f64::from),
+            xy: xyz.xy(),
+            uv1960: xyz.uv1960(),
+            uv1976: xyz.uv1976(),
+            cct_k: None,
+            duv: None,
+            lux: None,
+            ler_lm_per_w: None,
+            lab: None,
+            srgb: None,
+            hex: None,
+            dominant_wavelength_nm: None,
+            purity: None,
+            cri_ra: None,
+            cri_r: None,
+            tm30_rf: None,
+            tm30_rg: None,
+            melanopic_edi_ratio: None,
+            ppfd: None,
+            delta_e2000: None,
+            compare: None,
+            notes: Vec::new(),
+            curve: Fine::flat(0.0),
+            curve_y: 0.0,
+            raw_y: 0.0,
+        };
+        let Some(xy) = reading.xy else {
+            let black = "black (X + Y + Z not above zero) has no chromaticity";
+            reading.missing(&["xy", "uv1960", "uv1976", "dominant_wavelength_nm", "purity"], black);
+            return reading;
+        };
+        if let Some(dominant) = dominant_wavelength(xy, white, bench.eye.observer()) {
+            reading.dominant_wavelength_nm = Some(dominant.nm);
+            reading.purity = Some(dominant.purity);
+        } else {
+            reading.purity = Some(0.0);
+            reading.missing(&["dominant_wavelength_nm"], "within 0.00001 of the white it is seen against");
+        }
+        reading
+    }
+
+    /// Fills in the display's colour, clipped; whether it was inside the gamut before.
+    fn show(&mut self, color: Rgb<Srgb>) -> bool {
+        let clipped = color.clip().rgb;
+        let code = clipped.encode();
+        let [r, g, b] = code.to_u8();
+        self.srgb = Some(code.to_array());
+        self.hex = Some(format!("#{r:02x}{g:02x}{b:02x}"));
+        // What rounding leaves beyond the gamut of a white is not worth a word.
+        color.to_array().iter().zip(clipped.to_array()).all(|(a, b)| (a - b).abs() <= 1e-5)
+    }
+
+    /// A reason for whatever is still missing one: values so extreme that a formula has no result.
+    fn explain_the_rest(&mut self) {
+        let missing = [
+            ("xy", self.xy.is_none()),
+            ("uv1960", self.uv1960.is_none()),
+            ("uv1976", self.uv1976.is_none()),
+            ("cct_k", self.cct_k.is_none()),
+            ("duv", self.duv.is_none()),
+            ("lab", self.lab.is_none()),
+            ("srgb", self.srgb.is_none()),
+            ("purity", self.purity.is_none()),
+            ("cri_ra", self.cri_ra.is_none()),
+            ("tm30_rf", self.tm30_rf.is_none()),
+            ("delta_e2000", self.delta_e2000.is_none()),
+        ];
+        for (key, is_missing) in missing {
+            if is_missing && !self.notes.iter().any(|note| note.key == key) {
+                self.note(key, "not defined for a spectrum with such negative values");
+            }
+        }
+    }
+
+    fn note(&mut self, key: &str, text: impl Into<String>) {
+        self.notes.push(Note { key: key.to_owned(), text: text.into() });
+    }
+
+    fn missing(&mut self, keys: &[&str], why: &str) {
+        for key in keys {
+            self.note(key, why);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The numbers about a surface in a light.
+
+use super::{Bench, Reading, Room};
+use crate::failure::Failure;
+use crate::measure::source::Source;
+use nanospectra::color::{Adaptation, Bradford, Lab, Rgb, RgbSpace, Srgb, Xy, Xyz, ciede2000};
+use nanospectra::{Fine, Outside};
+
+const PERFECT_WHITE: Lab = Lab { l: 100.0, a: 0.0, b: 0.0 };
+
+const OF_THE_LIGHT: [&str; 10] = [
+    "cct_k",
+    "duv",
+    "lux",
+    "ler_lm_per_w",
+    "cri_ra",
+    "cri_r",
+    "tm30_rf",
+    "tm30_rg",
+    "melanopic_edi_ratio",
+    "ppfd",
+];
+
+pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, Failure> {
+    let reflectance = source.reflectance(bench.by())?;
+    let xyz = Xyz::from(room.eye.sees(&reflectance));
+    let white = room.white.xy().unwrap_or(Xy { x: 1.0 / 3.0, y: 1.0 / 3.0 });
+
+    let mut reading = Reading::of(bench, source, xyz, white);
+    reading.curve_y = f64::from(xyz.y);
+    reading.raw_y = reading.curve_y;
+    reading.lab = xyz.lab(room.white);
+    match reading.lab {
+        Some(lab) => reading.delta_e2000 = Some(ciede2000(lab, PERFECT_WHITE)),
+        None => reading
+            .missing(&["lab", "delta_e2000"], "the light excites not all of X, Y and Z, so it has no white"),
+    }
+    match Adaptation::between::<Bradford>(room.white, Srgb::WHITE_XYZ) {
+        Some(to_d65) => {
+            let was_inside = reading.show(Rgb::from_xyz_y100(to_d65.apply(xyz)));
+            if !was_inside {
+                reading.note("srgb", "outside the gamut, clipped; so is hex");
+            }
+        }
+        None => reading.missing(&["srgb", "hex"], "the light is no white that could be adapted to D65"),
+    }
+    reading.missing(&OF_THE_LIGHT, "belongs to a light, not to a surface");
+    for remark in source.remarks(bench.by(), Outside::Hold) {
+        reading.note("data", remark);
+    }
+    let above = source.samples.iter().filter(|(_, value)| *value > 1.0).count();
+    if above > 0 {
+        reading.note(
+            "data",
+            format!("{above} values above 1: more light than falls on it (fluorescence, gloss?)"),
+        );
+    }
+    reading.curve = Fine::from_bins(*reflectance.values());
+    Ok(reading)
+}

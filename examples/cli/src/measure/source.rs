@@ -1,0 +1,197 @@
+//! One measured spectrum: samples with the lines they came from, on their way to the 1 nm grid.
+
+use crate::failure::Failure;
+use crate::measure::args::Eye;
+use crate::measure::exact;
+use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
+use std::rc::Rc;
+
+/// The CIE grid, in nm.
+const FIRST: f64 = 360.0;
+const LAST: f64 = 830.0;
+/// Data that ends within these is cut short; what lies beyond hardly shows.
+const VISIBLE_FROM: f64 = 380.0;
+const VISIBLE_TO: f64 = 780.0;
+/// A reflectance above this is a percentage or not a reflectance. (Fluorescent and glossy
+/// surfaces do go above 1.)
+const MOST_REFLECTANCE: f64 = 2.0;
+/// CIE 15 asks for 5 nm or less; from here on it is worth a word.
+const COARSE_NM: f64 = 20.0;
+
+/// A column of a file.
+#[derive(Debug)]
+pub struct Source {
+    pub file: String,
+    pub name: String,
+    /// The line of each sample.
+    pub lines: Rc<[usize]>,
+    /// (wavelength in nm, value): finite, increasing, at least two.
+    pub samples: Vec<(f64, f64)>,
+}
+
+/// A light on the CIE grid: the numbers of the file are `power` times `scale`.
+#[derive(Debug)]
+pub struct Lamp {
+    /// Brought near 1 by a power of two, so that f32 holds lights of any strength.
+    pub power: Fine<Power>,
+    pub scale: f64,
+}
+
+impl Source {
+    /// As a light: zero outside its data.
+    pub fn light(&self, by: Interpolation) -> Result<Lamp, Failure> {
+        self.check_reach()?;
+        let peak = self.samples.iter().map(|sample| sample.1.abs()).fold(0.0, f64::max);
+        if peak == 0.0 {
+            return Err(self.wrong("every value is zero; measure again with the lamp on"));
+        }
+        // Rounding to f32 is the same before and after a power of two. (Twice: 2^1074 overflows.)
+        let half = (peak.log2() / 2.0).floor() as i32;
+        let (up, scale) = (f64::powi(2.0, -half), f64::powi(2.0, 2 * half));
+        let power = self.fine(by, Outside::Zero, |value| value * up * up)?;
+        if power.values().iter().all(|value| *value == 0.0) {
+            return Err(self.wrong(
+                "no power at any whole nanometre of 360..830, nothing visible; give a spectrum that has",
+            ));
+        }
+        Ok(Lamp { power, scale })
+    }
+
+    /// As a reflectance: end values held outside its data.
+    pub fn reflectance(&self, by: Interpolation) -> Result<Fine<Factor>, Failure> {
+        self.check_reach()?;
+        for ((_, value), line) in self.samples.iter().zip(&*self.lines) {
+            if *value > MOST_REFLECTANCE {
+                return Err(Failure::at(
+                    &self.file,
+                    *line,
+                    format!(
+                        "'{}' is {value}, no reflectance; give shares 0..1, not percent or power",
+                        self.name
+                    ),
+                ));
+            }
+        }
+        self.fine(by, Outside::Hold, |value| value)
+    }
+
+    /// The failure of a light that `eye` does not see.
+    pub fn invisible(&self, eye: Eye) -> Failure {
+        let eye = eye.title();
+        self.wrong(&format!("nothing visible, Y is not above zero for {eye}; check range and dark reading"))
+    }
+
+    /// A failure of the spectrum as a whole, at its first row.
+    pub fn wrong(&self, what: &str) -> Failure {
+        Failure::at(&self.file, self.lines[0], format!("'{}': {what}", self.name))
+    }
+
+    fn fine<Q: Quantity>(
+        &self,
+        by: Interpolation,
+        outside: Outside,
+        scaled: impl Fn(f64) -> f64,
+    ) -> Result<Fine<Q>, Failure> {
+        let samples: Vec<(f32, f32)> =
+            self.samples.iter().map(|(nm, value)| (*nm as f32, scaled(*value) as f32)).collect();
+        let mut fine = Fine::interpolated(&samples, by, outside).map_err(|error| match error {
+            SamplesError::NotRegular { index } => Failure::at(
+                &self.file,
+                self.lines[index],
+                "off the regular step that sprague needs; use --interpolation linear",
+            ),
+            SamplesError::TooFew { needed } => {
+                self.wrong(&format!("fewer than {needed} samples; use --interpolation linear"))
+            }
+            // Distinct in f64, that is: a file may list wavelengths closer than f32 tells apart.
+            SamplesError::NotIncreasing { index } => Failure::at(
+                &self.file,
+                self.lines[index],
+                "less than 0.0001 nm above the row before; merge them",
+            ),
+            other => self.wrong(&format!("{other}; correct the file")),
+        })?;
+        if exact::is_needed(&self.samples) {
+            for (value, nm) in fine.values_mut().iter_mut().zip(360..) {
+                let nm = f64::from(nm);
+                let read = exact::at(&self.samples, nm, by);
+                *value = match (read, outside) {
+                    (Some(read), _) => scaled(read) as f32,
+                    (None, Outside::Zero) => 0.0,
+                    (None, Outside::Hold) if nm < self.samples[0].0 => scaled(self.samples[0].1) as f32,
+                    (None, Outside::Hold) => scaled(self.samples[self.samples.len() - 1].1) as f32,
+                };
+            }
+        }
+        Ok(fine)
+    }
+
+    fn ends(&self) -> (f64, f64) {
+        (self.samples[0].0, self.samples[self.samples.len() - 1].0)
+    }
+
+    /// Data that lies beside the visible range, often because it is in another unit.
+    fn check_reach(&self) -> Result<(), Failure> {
+        let (first, last) = self.ends();
+        if first <= LAST && last >= FIRST {
+            return Ok(());
+        }
+        let units = [("micrometres", 1e3), ("ångströms", 0.1), ("metres", 1e9)];
+        let unit = units.into_iter().find(|(_, nm)| first * nm <= LAST && last * nm >= FIRST);
+        let advice = match unit {
+            Some((unit, nm)) => format!("if these are {unit}, multiply by {nm}"),
+            None => "give a spectrum that reaches into it".into(),
+        };
+        Err(self.wrong(&format!("{first}..{last} nm is outside 360..830 nm, nothing visible; {advice}")))
+    }
+
+    /// What a reader should know about how the samples were used.
+    pub fn remarks(&self, by: Interpolation, outside: Outside) -> Vec<String> {
+        let mut remarks = Vec::new();
+        let (first, last) = self.ends();
+        if first > VISIBLE_FROM || last < VISIBLE_TO {
+            let fate = match outside {
+                Outside::Zero => "counts as zero",
+                Outside::Hold => "is taken to be as at the ends",
+            };
+            remarks.push(format!("the samples cover {first}..{last} nm; what is outside {fate}"));
+        }
+        let inside = self.samples.iter().filter(|(nm, _)| (FIRST..=LAST).contains(nm)).count();
+        // (Sprague's rule reads six samples for each nanometre, so it reads nearly all of them.)
+        let unread = self.between_nodes();
+        if unread > 0 && by == Interpolation::Linear {
+            remarks.push(format!(
+                "finer than 1 nm: the sum reads whole nanometres, so {unread} of {inside} samples \
+                 do not count and narrow lines between are missed"
+            ));
+        }
+        let beyond = self.samples.len() - inside;
+        if beyond > 0 {
+            remarks.push(format!("{beyond} samples outside 360..830 nm are not part of any sum"));
+        }
+        let negative = self.samples.iter().filter(|(_, value)| *value < 0.0).count();
+        if negative > 0 {
+            remarks.push(format!("{negative} negative values, taken as they are"));
+        }
+        let widest = self.samples.windows(2).map(|pair| pair[1].0 - pair[0].0).fold(0.0, f64::max);
+        if widest > COARSE_NM {
+            remarks.push(format!("steps of up to {widest} nm; what lies between the samples is unknown"));
+        }
+        remarks
+    }
+
+    /// Samples that no whole nanometre of the grid reads: it reads one it meets, or its two
+    /// neighbours.
+    fn between_nodes(&self) -> usize {
+        let samples = &self.samples;
+        let unread = |k: usize| {
+            let nm = samples[k].0;
+            let before = k.checked_sub(1).map_or(nm, |k| samples[k].0);
+            let after = samples.get(k + 1).map_or(nm, |next| next.0);
+            // A whole nanometre above the one before and below the one after reads this sample.
+            let reader = before.floor() + 1.0;
+            nm.fract() != 0.0 && reader >= after && (FIRST..=LAST).contains(&nm)
+        };
+        (0..samples.len()).filter(|k| unread(*k)).count()
+    }
+}

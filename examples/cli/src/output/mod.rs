@@ -1,0 +1,9 @@
+//! Printing what was found: for people as text, for programs as JSON.
+
+pub mod json;
+pub mod plot;
+mod progress;
+pub mod terminal;
+pub mod tint;
+
+pub use progress::Progress;

@@ -1,0 +1,48 @@
+//! A spectrum drawn with block characters.
+
+use super::tint;
+use nanospectra::{Bins, Fine, Light, Outside, Power};
+
+const ROWS: usize = 8;
+/// From empty to full.
+pub const BLOCKS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+/// Columns over 380..780 nm, 6.25 nm each.
+type Columns = Light<64, Bins<380, 780>>;
+
+/// The plot's lines, top to bottom, without line ends; in the colours of the wavelengths if
+/// `truecolor`.
+pub fn lines(curve: &Fine<Power>, truecolor: bool) -> Vec<String> {
+    let columns: Columns = curve.resample(Outside::Zero);
+    let top = columns.values().iter().copied().fold(0.0, f32::max);
+    let mut lines: Vec<String> = (0..ROWS)
+        .map(|row| {
+            let below = (ROWS - 1 - row) as f32;
+            let cells = columns.iter().map(|(nm, value)| {
+                let height = if top > 0.0 { value / top * ROWS as f32 - below } else { 0.0 };
+                let block = BLOCKS[(height.clamp(0.0, 1.0) * 8.0).round() as usize];
+                if truecolor && block != ' ' { paint(block, tint::of_wavelength(nm)) } else { block.into() }
+            });
+            let line = cells.collect::<String>();
+            if truecolor { format!("{line}\x1b[0m") } else { line.trim_end().to_owned() }
+        })
+        .collect();
+    lines.push(scale());
+    lines
+}
+
+fn paint(block: char, [r, g, b]: [u8; 3]) -> String {
+    format!("\x1b[38;2;{r};{g};{b}m{block}")
+}
+
+/// 380 to 780 nm under the columns, a number each 50 nm.
+fn scale() -> String {
+    let mut scale = String::new();
+    for nm in (400..=750).step_by(50) {
+        let column = (nm - 380) as f32 / Columns::WIDTH_NM;
+        let start = column.round() as usize - 1;
+        scale.push_str(&" ".repeat(start.saturating_sub(scale.len())));
+        scale.push_str(&nm.to_string());
+    }
+    scale + " nm"
+}

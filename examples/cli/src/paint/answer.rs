@@ -1,0 +1,222 @@
+//! From a colour to its spectrum, and what that looks like.
+
+use crate::failure::{Failure, short};
+use crate::input::illuminants;
+use crate::output::Progress;
+use crate::paint::args::{Args, Beyond, Method, Space};
+use crate::paint::input::Color;
+use nanospectra::color::{
+    AcesCg, Adaptation, AdobeRgb, Bt2020, Cat16, DisplayP3, EncodedRgb, Lab, Rgb, RgbSpace, Srgb, Xyz,
+};
+use nanospectra::light::{D65, daylight};
+use nanospectra::observer::CIE_1931;
+use nanospectra::upsample::{Basis, Sigmoid, Smits, Status, Viewing};
+use nanospectra::{
+    Curve, Factor, Fine, Grid, Interpolation, Nodes, Observer, Outside, Power, Reflectance, matter,
+};
+
+/// What all colours of a run are answered with.
+pub struct Job<'a> {
+    args: &'a Args,
+    colors: &'a [Color],
+    /// The light of the space, and the others to look under.
+    white: Lamp,
+    lamps: Vec<Lamp>,
+}
+
+struct Lamp {
+    name: String,
+    power: Fine<Power>,
+}
+
+/// All there is to say about one colour.
+pub struct Answer {
+    pub sample: Option<String>,
+    /// As it was given; linear with `--linear`.
+    pub rgb: [f32; 3],
+    pub status: &'static str,
+    /// Of the way from grey to a colour that was desaturated, 0..1.
+    pub kept: Option<f32>,
+    /// (nm, share)
+    pub spectrum: Vec<(f32, f32)>,
+    /// For plots; zero outside the grid.
+    pub curve: Fine<Factor>,
+    pub roundtrip: [f32; 3],
+    pub delta_e2000: f32,
+    /// The colour that was asked for, as well as sRGB can show it.
+    pub asked: [u8; 3],
+    /// Under the white first.
+    pub looks: Vec<Look>,
+}
+
+/// A surface under one light.
+pub struct Look {
+    pub light: String,
+    /// Y = 100 for the perfect white.
+    pub xyz: Xyz,
+    pub lab: Lab,
+    /// 8-bit sRGB, adapted to D65.
+    pub srgb: [u8; 3],
+}
+
+impl<'a> Job<'a> {
+    pub fn new(args: &'a Args, colors: &'a [Color]) -> Result<Self, Failure> {
+        let aces = daylight(6000.0).filter(|_| args.space == Space::Acescg);
+        let white = match aces {
+            Some(d60) => Lamp { name: "D60".into(), power: on_1_nm(&d60) },
+            None => Lamp { name: "D65".into(), power: on_1_nm(&D65) },
+        };
+        let mut lamps: Vec<Lamp> = Vec::new();
+        for name in &args.light {
+            let lamp = lamp(name.trim())?;
+            if [&white].into_iter().chain(&lamps).all(|known| known.name != lamp.name) {
+                lamps.push(lamp);
+            }
+        }
+        Ok(Job { args, colors, white, lamps })
+    }
+}
+
+fn on_1_nm<const N: usize, G: Grid>(light: &nanospectra::Light<N, G>) -> Fine<Power> {
+    light.interpolate(Interpolation::Linear, Outside::Zero)
+}
+
+fn lamp(name: &str) -> Result<Lamp, Failure> {
+    let (name, power) = illuminants::find(name, Interpolation::Linear).ok_or_else(|| {
+        let what = format!("no CIE illuminant; use {} or L41", illuminants::NAMES);
+        Failure::of(format_args!("--light {}", short(name)), what)
+    })?;
+    Ok(Lamp { name, power })
+}
+
+/// The answers of a job on one grid, in order.
+pub fn in_space<const N: usize, G: Grid>(job: &Job) -> Result<Vec<Answer>, Failure> {
+    match job.args.space {
+        Space::Srgb => answers::<N, G, Srgb>(job),
+        Space::P3 => answers::<N, G, DisplayP3>(job),
+        Space::Bt2020 => answers::<N, G, Bt2020>(job),
+        Space::Adobe => answers::<N, G, AdobeRgb>(job),
+        Space::Acescg => answers::<N, G, AcesCg>(job),
+    }
+}
+
+fn answers<const N: usize, G: Grid, S: RgbSpace>(job: &Job) -> Result<Vec<Answer>, Failure> {
+    let painter: Painter<N, G, S> = Painter::new(job);
+    let mut progress = Progress::of(job.colors.len());
+    let answer = |color| {
+        progress.step();
+        painter.answer(color)
+    };
+    job.colors.iter().map(answer).collect()
+}
+
+struct Painter<const N: usize, G, S> {
+    viewing: Viewing<N, G, S>,
+    sigmoid: Sigmoid<N, G, S>,
+    basis: Basis<N, G, S>,
+    smits: Smits<N, G>,
+    eyes: Vec<(String, Observer<3, N, Factor, G>)>,
+    method: Method,
+    beyond: Option<Beyond>,
+    linear: bool,
+}
+
+impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
+    fn new(job: &Job) -> Self {
+        let eye = |lamp: &Lamp| CIE_1931.under(&lamp.power).fold(Curve::Step).with_white_y(1.0);
+        let viewing = Viewing::new(&eye(&job.white));
+        Painter {
+            sigmoid: Sigmoid::new(&viewing),
+            basis: Basis::new(&viewing),
+            smits: Smits::new(),
+            viewing,
+            eyes: [&job.white].into_iter().chain(&job.lamps).map(|l| (l.name.clone(), eye(l))).collect(),
+            method: job.args.method,
+            beyond: job.args.beyond(),
+            linear: job.args.linear,
+        }
+    }
+
+    fn answer(&self, color: &Color) -> Result<Answer, Failure> {
+        let [r, g, b] = color.numbers;
+        let encoded = color.is_code || !self.linear;
+        let rgb: Rgb<S> = if encoded { EncodedRgb::<S>::new(r, g, b).decode() } else { Rgb::new(r, g, b) };
+        let (spectrum, status, kept) = self.spectrum(rgb);
+        // Beyond about 1e15 the transfer functions and the sums overflow.
+        if !spectrum.values().iter().chain(&rgb.to_array()).all(|value| value.is_finite()) {
+            let what = "too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces";
+            return Err(Failure::of(&color.place, what));
+        }
+        let given = |rgb: Rgb<S>| if self.linear { rgb.to_array() } else { rgb.encode().to_array() };
+        let srgb: Rgb<Srgb> = Rgb::from_xyz(self.to_d65(0, self.viewing.xyz(rgb)));
+        Ok(Answer {
+            sample: color.sample.clone(),
+            rgb: if self.linear { rgb.to_array() } else { color.numbers },
+            status,
+            kept,
+            spectrum: spectrum.iter().collect(),
+            curve: spectrum.resample(Outside::Zero),
+            roundtrip: given(self.viewing.rgb(&spectrum)),
+            delta_e2000: self.viewing.delta_e(rgb, &spectrum),
+            asked: srgb.clip().rgb.encode().to_u8(),
+            looks: (0..self.eyes.len()).map(|k| self.look(k, &spectrum)).collect(),
+        })
+    }
+
+    fn spectrum(&self, rgb: Rgb<S>) -> (Reflectance<N, G>, &'static str, Option<f32>) {
+        match self.method {
+            Method::Sigmoid => {
+                let solved = match self.beyond {
+                    Some(Beyond::Desaturate) => self.sigmoid.desaturated(rgb),
+                    _ => self.sigmoid.reflectance(rgb),
+                };
+                let (status, kept) = match solved.status {
+                    Status::Exact => ("exact", None),
+                    Status::Desaturated { kept, .. } => ("desaturated", Some(kept)),
+                    _ => ("unreachable", None),
+                };
+                (solved.spectrum.on_grid(), status, kept)
+            }
+            Method::Basis => {
+                let spectrum = self.basis.reflectance(rgb);
+                let possible = spectrum.values().iter().all(|share| (0.0..=1.0).contains(share));
+                (spectrum, if possible { "exact" } else { "unphysical" }, None)
+            }
+            Method::Smits => (self.smits.reflectance(rgb), "approximate", None),
+        }
+    }
+
+    fn look(&self, k: usize, surface: &Reflectance<N, G>) -> Look {
+        let (light, eye) = &self.eyes[k];
+        let seen = Xyz::from(eye.sees(surface));
+        let lab = seen.lab(self.white(k)).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN));
+        let srgb = Rgb::<Srgb>::from_xyz(self.to_d65(k, seen)).clip().rgb.encode().to_u8();
+        Look { light: light.clone(), xyz: seen.scaled(100.0), lab, srgb }
+    }
+
+    /// The perfect white under a light.
+    fn white(&self, k: usize) -> Xyz {
+        Xyz::from(self.eyes[k].1.row_sums().map(|sum| sum as f32))
+    }
+
+    /// What looks under D65 as `seen` does under a light.
+    fn to_d65(&self, k: usize, seen: Xyz) -> Xyz {
+        let adaptation = Adaptation::between::<Cat16>(self.white(k), Srgb::WHITE_XYZ);
+        adaptation.map_or(seen, |adaptation| adaptation.apply(seen))
+    }
+}
+
+/// Every fourth sample of CES99, 24 of them: encoded sRGB under D65.
+pub fn samples() -> Vec<Color> {
+    let viewing: Viewing<81, Nodes<380, 780>> =
+        Viewing::new(&CIE_1931.under(&on_1_nm(&D65)).fold(Curve::Step));
+    let every_fourth = matter::CES.iter().zip(1..).step_by(4).take(24);
+    every_fourth
+        .map(|(sample, number)| {
+            let name = format!("CES{number:02}");
+            let surface: Reflectance<81, Nodes<380, 780>> = sample.resample(Outside::Hold);
+            let numbers = viewing.rgb(&surface).clip().rgb.encode().to_array();
+            Color { place: name.clone(), sample: Some(name), numbers, is_code: true }
+        })
+        .collect()
+}

@@ -1,0 +1,42 @@
+//! An answer as one JSON object: every number with all the digits it has.
+
+use crate::output::json::{numbers, single};
+use crate::output::tint;
+use crate::paint::answer::{Answer, Look};
+use crate::paint::args::Args;
+use crate::usage::name_of;
+use serde_json::{Value, json};
+
+/// One line, keys in the order of the documentation.
+pub fn object(args: &Args, answer: &Answer) -> Value {
+    let mut object = json!({
+        "rgb": numbers(answer.rgb),
+        "space": name_of(args.space),
+        "method": name_of(args.method),
+        "status": answer.status,
+        "wavelengths_nm": numbers(answer.spectrum.iter().map(|(nm, _)| *nm)),
+        "spectrum": numbers(answer.spectrum.iter().map(|(_, share)| *share)),
+        "roundtrip_rgb": numbers(answer.roundtrip),
+        "delta_e2000": single(answer.delta_e2000),
+        "linear": args.linear,
+        "grid": args.grid,
+        "beyond": args.beyond().map(name_of),
+        "lights": answer.looks.iter().map(look).collect::<Vec<_>>(),
+    });
+    if let Some(kept) = answer.kept {
+        object["kept"] = single(kept);
+    }
+    if let Some(sample) = &answer.sample {
+        object["sample"] = json!(sample);
+    }
+    object
+}
+
+fn look(look: &Look) -> Value {
+    json!({
+        "name": look.light,
+        "XYZ": numbers(look.xyz.to_array()),
+        "lab": numbers([look.lab.l, look.lab.a, look.lab.b]),
+        "hex": tint::hex(look.srgb),
+    })
+}

@@ -1,0 +1,47 @@
+//! RGB to spectrum, looked at again.
+//!
+//! A word or a line becomes a colour ([`input`]), that an [`answer`] on one of the [`grids`], and that a report:
+//! [`text`], [`json`] or a [`picture`].
+
+mod answer;
+mod args;
+mod grids;
+mod input;
+mod json;
+mod picture;
+mod text;
+
+pub use args::{Args, negative};
+
+use crate::failure::Failure;
+use crate::output::terminal;
+use answer::Job;
+use std::path::PathBuf;
+
+/// All colours are answered before any is printed: an error leaves no half report behind.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    args.check()?;
+    let colors = if args.colors.is_empty() { answer::samples() } else { input::colors(&args.colors)? };
+    let answers = grids::answers(&args.grid, &Job::new(args, &colors)?)?;
+    let pictures =
+        args.svg.as_ref().map(|directory| picture::save_all(directory, args, &answers)).transpose()?;
+    let truecolor = terminal::is_colorful();
+    let report = if args.json {
+        answers.iter().map(|answer| format!("{}\n", json::object(args, answer))).collect()
+    } else if args.colors.is_empty() {
+        text::chart(args, &answers, truecolor)
+    } else {
+        let paths = pictures.as_ref().map_or(&[][..], |pictures| &pictures.paths);
+        let picture = |k: usize| paths.get(k).map(PathBuf::as_path);
+        answers
+            .iter()
+            .enumerate()
+            .map(|(k, answer)| text::report(args, answer, picture(k), truecolor))
+            .collect()
+    };
+    terminal::print(&report)?;
+    if let Some(pictures) = pictures {
+        pictures.keep();
+    }
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! One SVG for each colour: its spectrum in the colours of the wavelengths, and swatches under the lights.
+
+use crate::failure::Failure;
+use crate::output::tint;
+use crate::paint::answer::Answer;
+use crate::paint::args::Args;
+use crate::paint::text;
+use crate::picture::spectrum::{self, Spectrum};
+use crate::picture::{self, Area, FAINT, check_free, create, label, patch, refused};
+use crate::usage::name_of;
+use std::fs;
+use std::path::{Path, PathBuf};
+use svg::Document;
+use svg::node::element::Group;
+
+/// Above the first swatch, and from one to the next.
+const SWATCHES: f32 = 90.0;
+const SPACING: f32 = 90.0;
+
+/// New files, and the directories made for them. Both are taken back unless they are kept.
+pub struct Pictures {
+    /// In the order of the answers.
+    pub paths: Vec<PathBuf>,
+    /// The inner ones first.
+    directories: Vec<PathBuf>,
+}
+
+impl Pictures {
+    /// The run has done all it was asked for.
+    pub fn keep(mut self) {
+        self.paths.clear();
+        self.directories.clear();
+    }
+}
+
+impl Drop for Pictures {
+    /// What cannot be removed stays: why the run fails is said already.
+    fn drop(&mut self) {
+        for path in &self.paths {
+            let _ = fs::remove_file(path);
+        }
+        for directory in &self.directories {
+            let _ = fs::remove_dir(directory);
+        }
+    }
+}
+
+/// Draws every answer into a new file of `directory`, which is made if missing.
+pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Pictures, Failure> {
+    let missing = directory.ancestors().take_while(|path| path.symlink_metadata().is_err());
+    let directories = missing.map(Path::to_path_buf).collect();
+    let mut pictures = Pictures { paths: Vec::new(), directories };
+    fs::create_dir_all(directory).map_err(|error| refused(directory, &error, "directory"))?;
+    let digits = answers.len().to_string().len();
+    let paths: Vec<PathBuf> = answers
+        .iter()
+        .zip(1..)
+        .map(|(answer, number)| {
+            let hex = tint::hex(answer.asked);
+            directory.join(format!("{number:0digits$}-{}.svg", &hex[1..]))
+        })
+        .collect();
+    // Before the first is written, so that no half set of pictures is left behind.
+    paths.iter().try_for_each(|path| check_free(path, "name another directory"))?;
+    for (path, answer) in paths.into_iter().zip(answers) {
+        let file = create(&path, "directory")?;
+        pictures.paths.push(path.clone());
+        svg::write(file, &page(args, answer)).map_err(|error| refused(&path, &error, "directory"))?;
+    }
+    Ok(pictures)
+}
+
+fn page(args: &Args, answer: &Answer) -> Document {
+    let swatches = SWATCHES + SPACING * (answer.looks.len() + 1) as f32;
+    let height = swatches.max(490.0);
+    let [r, g, b] = answer.rgb;
+    let sample = answer.sample.as_ref().map(|name| format!("{name}: ")).unwrap_or_default();
+    let subtitle = format!(
+        "{}{}  ·  {} on {}  ·  {}",
+        name_of(args.space),
+        if args.linear { ", linear" } else { "" },
+        name_of(args.method),
+        args.grid,
+        text::verdict(answer),
+    );
+    picture::page(height, &format!("{sample}{r} {g} {b}"), &subtitle).add(curve(answer)).add(looks(answer))
+}
+
+/// The curve through the centres of the bands; the axis holds 0..1, and what is beyond if something is.
+fn curve(answer: &Answer) -> Group {
+    let filled = &answer.spectrum;
+    let low = filled.iter().map(|(_, share)| *share).fold(0.0, f32::min);
+    let high = filled.iter().map(|(_, share)| *share).fold(1.0, f32::max);
+    let area = Area { left: 80.0, top: 90.0, width: 560.0, height: 330.0 };
+    let spectrum = Spectrum { filled, low, high, ..Spectrum::default() };
+    spectrum::draw(area, ["wavelength / nm", "reflectance"], &spectrum)
+}
+
+/// What was asked for, and below it what the spectrum looks like under each light.
+fn looks(answer: &Answer) -> Group {
+    let asked = ("asked for".to_owned(), answer.asked, String::new());
+    let under =
+        answer.looks.iter().map(|look| (format!("under {}", look.light), look.srgb, text::coordinates(look)));
+    let mut group = Group::new();
+    for (k, (title, color, numbers)) in [asked].into_iter().chain(under).enumerate() {
+        let top = SWATCHES + SPACING * k as f32;
+        let hex = tint::hex(color);
+        let (xyz, lab) = numbers.split_once("  ").unwrap_or_default();
+        let area = Area { left: 690.0, top, width: 130.0, height: SPACING - 12.0 };
+        group = group
+            .add(patch(area, color).set("rx", 8))
+            .add(label(840.0, top + 18.0, &format!("{title}  {hex}")))
+            .add(label(840.0, top + 42.0, xyz).set("fill", FAINT))
+            .add(label(840.0, top + 62.0, lab).set("fill", FAINT));
+    }
+    group
+}

@@ -1,0 +1,82 @@
+//! What the pictures of all commands are drawn with: a page, its texts and patches, diagrams and spectra.
+
+pub mod axis;
+pub mod spectrum;
+
+use crate::failure::Failure;
+use crate::output::tint;
+use std::fs::File;
+use std::io::Error;
+use std::path::Path;
+use svg::Document;
+use svg::node::element::{Group, Rectangle, Text};
+
+const WIDTH: f32 = 1120.0;
+pub const INK: &str = "#222222";
+pub const FAINT: &str = "#777777";
+pub const GRID: &str = "#dddddd";
+
+/// Where a diagram stands on the page.
+#[derive(Clone, Copy)]
+pub struct Area {
+    pub left: f32,
+    pub top: f32,
+    pub width: f32,
+    pub height: f32,
+}
+
+/// An empty page with a heading.
+pub fn page(height: f32, title: &str, subtitle: &str) -> Document {
+    let heading = Group::new()
+        .add(label(30.0, 42.0, title).set("font-size", 24).set("font-weight", "bold"))
+        .add(label(30.0, 66.0, subtitle).set("fill", FAINT));
+    Document::new()
+        .set("viewBox", (0, 0, WIDTH, height))
+        .set("width", WIDTH)
+        .set("height", height)
+        .set("font-family", "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif")
+        .set("font-size", 13)
+        .add(Rectangle::new().set("width", WIDTH).set("height", height).set("fill", "#ffffff"))
+        .add(heading)
+}
+
+pub fn label(x: f32, y: f32, text: &str) -> Text {
+    // SVG takes a run of blanks for one.
+    let text = text.replace("  ", "\u{a0}\u{a0}");
+    Text::new(text).set("x", x).set("y", y).set("fill", INK)
+}
+
+/// A rectangle of a color.
+pub fn patch(area: Area, color: [u8; 3]) -> Rectangle {
+    area.rectangle().set("fill", tint::hex(color)).set("stroke", GRID)
+}
+
+impl Area {
+    pub fn rectangle(self) -> Rectangle {
+        Rectangle::new()
+            .set("x", self.left)
+            .set("y", self.top)
+            .set("width", self.width)
+            .set("height", self.height)
+    }
+}
+
+/// The failure of a picture that cannot be written; `place` is what to name in its stead.
+pub fn refused(path: &Path, error: &Error, place: &str) -> Failure {
+    let what = format!("cannot be written ({}); name a {place} you may write to", error.kind());
+    Failure::of(format_args!("--svg {}", path.display()), what)
+}
+
+/// Refuses to draw over a file; `other` is what to do in its stead.
+pub fn check_free(path: &Path, other: &str) -> Result<(), Failure> {
+    if path.symlink_metadata().is_err() {
+        return Ok(());
+    }
+    let what = format_args!("is there already; remove it or {other}");
+    Err(Failure::of(format_args!("--svg {}", path.display()), what))
+}
+
+/// Makes a file that was not there.
+pub fn create(path: &Path, place: &str) -> Result<File, Failure> {
+    File::create_new(path).map_err(|error| refused(path, &error, place))
+}

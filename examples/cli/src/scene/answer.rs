@@ -1,0 +1,260 @@
+//! A scene, looked at.
+
+use crate::failure::Failure;
+use crate::scene::file::Recipe;
+use crate::scene::lamp;
+use crate::scene::matter::{self, Matter};
+use nanospectra::color::{Adaptation, Cat16, Lab, Rgb, RgbSpace, Srgb, Xy, Xyz};
+use nanospectra::observer::{CIE_1931, CIE_1964, V_PHOTOPIC};
+use nanospectra::path::{Price, Scene};
+use nanospectra::radiometry::{Exitance, Irradiance};
+use nanospectra::sensor::nominal;
+use nanospectra::{Curve, FineObserver, Grid, Light, Observer, Outside, Power};
+
+/// The most parts that a scene may have.
+const PARTS: usize = 16;
+
+/// All there is to say about a scene.
+pub struct Answer {
+    pub name: String,
+    pub title: String,
+    pub lamp: String,
+    pub eye: &'static str,
+    pub grid: String,
+    /// (nm, power), as the lamp sends it and as it reaches the eye.
+    pub lit: Vec<(f32, f32)>,
+    pub leaving: Vec<(f32, f32)>,
+    pub look: Look,
+    pub lamp_srgb: [u8; 3],
+    pub absolute: Option<Absolute>,
+    pub sensor: Option<Sensor>,
+    pub bill: Vec<Line>,
+    pub walked: Price,
+    pub folded: Price,
+    pub budget: Option<Budget>,
+}
+
+/// A colour with the lamp as white.
+#[derive(Clone, Copy)]
+pub struct Look {
+    /// Y = 100 for the bare lamp.
+    pub xyz: Xyz,
+    /// None of black.
+    pub xy: Option<Xy>,
+    pub lab: Lab,
+    /// 8-bit sRGB, adapted to D65.
+    pub srgb: [u8; 3],
+    /// No sRGB display shows it: a component was below 0 or above 1.
+    pub is_clipped: bool,
+}
+
+/// With units.
+pub struct Absolute {
+    pub illuminance_lx: f32,
+    pub irradiance_w_m2: f32,
+    pub exitance_lm_m2: f32,
+    pub exitance_w_m2: f32,
+    /// cd/m2 and W/m2/sr, behind what is matt.
+    pub radiance: Option<[f32; 2]>,
+}
+
+/// A chip in place of the eye.
+pub struct Sensor {
+    pub name: &'static str,
+    pub peaks_nm: Vec<f32>,
+    /// Irradiance weighted by the channel's responsivity, which is 1 at its peak; in W/m2 if the lamp has a level.
+    pub channels: Vec<f32>,
+    /// The same over that of the bare lamp; none where that is dark.
+    pub of_lamp: Vec<Option<f32>>,
+}
+
+/// A part on the bill.
+pub struct Line {
+    pub name: String,
+    pub kind: &'static str,
+    pub effect: &'static str,
+    pub price: Price,
+    pub without_delta_e: f32,
+    pub without_srgb: [u8; 3],
+    pub left_out: bool,
+}
+
+/// What `--budget` came to.
+pub struct Budget {
+    pub delta_e: f32,
+    pub cost_delta_e: f32,
+    pub left_out: Vec<usize>,
+    pub srgb: [u8; 3],
+    pub multiply_adds: usize,
+}
+
+/// An eye and the white it is adapted to.
+struct Viewing<const N: usize, G> {
+    eye: Observer<3, N, Power, G>,
+    lamp: Light<N, G>,
+    white: Xyz,
+}
+
+impl<const N: usize, G: Grid> Viewing<N, G> {
+    fn look(&self, light: &Light<N, G>) -> Look {
+        let [seen, white] =
+            [Xyz::from(self.eye.sees(light)), self.white].map(|xyz| xyz.scaled(1.0 / self.white.y));
+        let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ);
+        let d65 = adaptation.map_or(seen, |adaptation| adaptation.apply(seen));
+        let rgb = Rgb::<Srgb>::from_xyz(d65);
+        Look {
+            xyz: seen.scaled(100.0),
+            xy: seen.xy(),
+            lab: seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN)),
+            srgb: rgb.clip().rgb.encode().to_u8(),
+            // A step of an 8-bit code is 3e-4 or more.
+            is_clipped: rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part)),
+        }
+    }
+
+    fn scene<'a>(
+        &self,
+        parts: impl Iterator<Item = nanospectra::path::Part<'a, N, G>>,
+    ) -> Scene<'a, N, PARTS, G> {
+        let mut scene = Scene::new();
+        // The number of parts is checked before.
+        for part in parts {
+            let _ = scene.push(part);
+        }
+        scene
+    }
+}
+
+/// The answer to a scene on the grid `G`, called `grid`.
+pub fn answer_on<const N: usize, G: Grid>(
+    recipe: &Recipe,
+    grid: &str,
+    budget: Option<f32>,
+) -> Result<Answer, Failure> {
+    let lamp = lamp::of(recipe)?;
+    let (eye, eye_name) = eye(recipe)?;
+    let written = &recipe.scene.part;
+    if let Some(extra) = written.get(PARTS) {
+        return Err(recipe.wrong(extra, format_args!("more than {PARTS} parts; make one of several filters")));
+    }
+    let parts = written.iter().map(|part| Matter::<N, G>::of(recipe, part)).collect::<Result<Vec<_>, _>>()?;
+
+    matter::check_films(recipe, &parts)?;
+
+    let lit: Light<N, G> = lamp.power.resample(Outside::Zero);
+    let v: Observer<1, N, Power, G> = V_PHOTOPIC.fold(Curve::Spline);
+    let bare = Irradiance::new(lit).luminous_by(&v).value().0;
+    // Scaled as the grid reads it, so that what was asked for is what is told.
+    let lit = lamp.illuminance_lx.map_or(lit, |asked| lit * (asked / bare));
+    let eye: Observer<3, N, Power, G> = eye.fold(Curve::Spline);
+    let white = Xyz::from(eye.sees(&lit));
+    // (Nothing of Z is left of a red lamp.)
+    if !(bare > 0.0 && (1e-30..=1e30).contains(&white.y)) {
+        let what = format!("the lamp is dark on {grid}; give it power at those wavelengths");
+        return Err(recipe.wrong(&recipe.scene.lamp, what));
+    }
+    let viewing = Viewing { white, eye, lamp: lit };
+    let scene = viewing.scene(parts.iter().map(Matter::part));
+    let leaving = scene.leaving_polarised(&lit);
+    let found = budget.map(|delta_e| (delta_e, scene.within_budget(&viewing.eye, &lit, delta_e)));
+    // The three rows of the eye.
+    let reading = Price { multiply_adds: 3 * N, bytes: 12 * N, ..Price::NONE };
+    let is_matt = parts.iter().rfind(|part| !part.is_sheet()).is_some_and(|part| part.is_matt);
+    Ok(Answer {
+        name: recipe.name.clone(),
+        title: recipe.scene.title.clone(),
+        lamp: lamp.name,
+        eye: eye_name,
+        grid: grid.into(),
+        lit: lit.iter().collect(),
+        leaving: leaving.iter().collect(),
+        look: viewing.look(&leaving),
+        lamp_srgb: viewing.look(&lit).srgb,
+        absolute: lamp.illuminance_lx.map(|_| Absolute::of(&v, lit, leaving, is_matt)),
+        sensor: sensor(recipe, &lit, &leaving)?,
+        bill: bill(&viewing, &parts, &scene, found.as_ref().map(|(_, found)| &found.scene)),
+        walked: scene.price().plus(Price::light(N)).plus(reading),
+        folded: scene.folded_price(3).plus(Price::light(N)),
+        budget: found.map(|(delta_e, found)| Budget {
+            delta_e,
+            cost_delta_e: found.delta_e,
+            left_out: found.scene.left_out().collect(),
+            srgb: viewing.look(&found.scene.leaving_polarised(&lit)).srgb,
+            multiply_adds: found.scene.price().plus(reading).multiply_adds,
+        }),
+    })
+}
+
+fn bill<const N: usize, G: Grid>(
+    viewing: &Viewing<N, G>,
+    parts: &[Matter<N, G>],
+    scene: &Scene<'_, N, PARTS, G>,
+    found: Option<&Scene<'_, N, PARTS, G>>,
+) -> Vec<Line> {
+    let lines = scene.bill().zip(parts).enumerate();
+    lines
+        .map(|(k, (line, part))| {
+            let replaced = parts.iter().enumerate().map(|(j, other)| match other.replacement() {
+                Some(without) if j == k => without,
+                _ => other.part(),
+            });
+            let without = viewing.scene(replaced).leaving_out(k);
+            Line {
+                name: part.name.clone(),
+                kind: part.kind,
+                effect: part.effect,
+                price: line.price,
+                without_delta_e: scene.difference(&without, &viewing.eye, &viewing.lamp),
+                without_srgb: viewing.look(&without.leaving_polarised(&viewing.lamp)).srgb,
+                left_out: found.is_some_and(|found| found.left_out().any(|out| out == k)),
+            }
+        })
+        .collect()
+}
+
+impl Absolute {
+    fn of<const N: usize, G: Grid>(
+        v: &Observer<1, N, Power, G>,
+        lit: Light<N, G>,
+        leaving: Light<N, G>,
+        is_matt: bool,
+    ) -> Self {
+        let (arrives, leaves) = (Irradiance::new(lit), Exitance::new(leaving));
+        let radiance = leaves.lambertian();
+        Absolute {
+            illuminance_lx: arrives.luminous_by(v).value().0,
+            irradiance_w_m2: arrives.radiant().value().0,
+            exitance_lm_m2: leaves.luminous_by(v).value().0,
+            exitance_w_m2: leaves.radiant().value().0,
+            radiance: is_matt.then(|| [radiance.luminous_by(v).value().0, radiance.radiant().value().0]),
+        }
+    }
+}
+
+fn eye(recipe: &Recipe) -> Result<(&'static FineObserver<3>, &'static str), Failure> {
+    let Some(at) = &recipe.scene.eye else { return Ok((&CIE_1931, "CIE 1931")) };
+    match at.get_ref().as_str() {
+        "CIE 1931" => Ok((&CIE_1931, "CIE 1931")),
+        "CIE 1964" => Ok((&CIE_1964, "CIE 1964")),
+        _ => Err(recipe.wrong(at, "no eye of this name; use \"CIE 1931\" or \"CIE 1964\"")),
+    }
+}
+
+fn sensor<const N: usize, G: Grid>(
+    recipe: &Recipe,
+    lit: &Light<N, G>,
+    leaving: &Light<N, G>,
+) -> Result<Option<Sensor>, Failure> {
+    let Some(at) = &recipe.scene.sensor else { return Ok(None) };
+    if at.get_ref() != "AS7341" {
+        return Err(recipe.wrong(at, "no sensor of this name; use \"AS7341\" (nominal channels F1 to F8)"));
+    }
+    let chip: Observer<8, N, Power, G> = nominal::AS7341.fold(Curve::Step);
+    let (channels, bare) = (chip.sees(leaving), chip.sees(lit));
+    Ok(Some(Sensor {
+        name: "AS7341, nominal",
+        peaks_nm: vec![415.0, 445.0, 480.0, 515.0, 555.0, 590.0, 630.0, 680.0],
+        channels: channels.into(),
+        of_lamp: channels.iter().zip(bare).map(|(got, bare)| (bare > 0.0).then(|| got / bare)).collect(),
+    }))
+}

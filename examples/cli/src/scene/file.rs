@@ -1,0 +1,194 @@
+//! What may stand in a scene's TOML, and where in it something is wrong.
+
+use crate::failure::{Failure, printable};
+use crate::input::text;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+
+/// A scene as it was written, and what is needed to say where.
+pub struct Recipe {
+    pub name: String,
+    pub scene: Scene,
+    file: String,
+    folder: PathBuf,
+    text: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    pub title: String,
+    pub grid: Option<Spanned<String>>,
+    pub lamp: Spanned<Lamp>,
+    pub eye: Option<Spanned<String>>,
+    pub sensor: Option<Spanned<String>>,
+    #[serde(deserialize_with = "parts")]
+    pub part: Vec<Spanned<Part>>,
+}
+
+/// One of the first four, and how much of it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lamp {
+    pub cie: Option<String>,
+    pub blackbody_k: Option<f32>,
+    pub csv: Option<PathBuf>,
+    pub points: Option<Points>,
+    pub illuminance_lx: Option<f32>,
+}
+
+/// [[nm, value], ..]
+pub type Points = Vec<Sample>;
+
+/// [nm, value], and not a column more.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(try_from = "Vec<f32>")]
+pub struct Sample {
+    pub nm: f32,
+    pub value: f32,
+}
+
+impl TryFrom<Vec<f32>> for Sample {
+    type Error = String;
+
+    fn try_from(row: Vec<f32>) -> Result<Self, String> {
+        match row[..] {
+            [nm, value] => Ok(Sample { nm, value }),
+            _ => Err(format!("a row of points has 2 numbers, [nm, value], and not {}", row.len())),
+        }
+    }
+}
+
+/// As the library takes them.
+pub fn pairs(points: &Points) -> Vec<(f32, f32)> {
+    points.iter().map(|sample| (sample.nm, sample.value)).collect()
+}
+
+/// One of the kinds.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    pub name: Option<String>,
+    pub filter: Option<Factors>,
+    pub surface: Option<Factors>,
+    pub dye: Option<Dye>,
+    pub film: Option<Film>,
+    pub mirror: Option<Mirror>,
+    pub polariser: Option<Polariser>,
+    pub retarder: Option<Retarder>,
+}
+
+/// A transmittance or a reflectance by one of these; `path_cm` belongs to the absorbance.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Factors {
+    pub flat: Option<f32>,
+    pub points: Option<Points>,
+    pub csv: Option<PathBuf>,
+    pub ces: Option<usize>,
+    pub absorbance_per_cm: Option<Points>,
+    pub path_cm: Option<f32>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dye {
+    pub reflectance: Points,
+    pub absorption: Points,
+    pub emission: Points,
+    pub quantum_yield: f32,
+    #[serde(default)]
+    pub transmitted: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Film {
+    pub n: f32,
+    #[serde(default = "one")]
+    pub n_before: f32,
+    #[serde(default = "one")]
+    pub n_behind: f32,
+    pub thickness_nm: f32,
+    #[serde(default)]
+    pub angle_deg: f32,
+    #[serde(default)]
+    pub transmitted: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mirror {
+    pub n: f32,
+    #[serde(default)]
+    pub k: f32,
+    pub angle_deg: f32,
+    #[serde(default)]
+    pub axis_deg: f32,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Polariser {
+    pub axis_deg: f32,
+    #[serde(default = "one")]
+    pub along: f32,
+    #[serde(default)]
+    pub across: f32,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Retarder {
+    pub path_difference_nm: f32,
+    pub axis_deg: f32,
+}
+
+fn one() -> f32 {
+    1.0
+}
+
+/// One or more.
+fn parts<'de, D: Deserializer<'de>>(toml: D) -> Result<Vec<Spanned<Part>>, D::Error> {
+    let parts = Vec::deserialize(toml)?;
+    if parts.is_empty() { Err(D::Error::custom("a scene without a part")) } else { Ok(parts) }
+}
+
+/// The scene in a file.
+pub fn read(path: &Path) -> Result<Recipe, Failure> {
+    let (file, text) = text::read(path)?;
+    let name = text::stem(path).unwrap_or_else(|| file.clone());
+    let folder = path.parent().unwrap_or(Path::new("."));
+    parse(&file, &name, folder, &text)
+}
+
+/// The scene in a text; `file` is its name for messages.
+pub fn parse(file: &str, name: &str, folder: &Path, text: &str) -> Result<Recipe, Failure> {
+    let scene = toml::from_str(text).map_err(|error| {
+        let line = line(text, error.span());
+        let what = printable(error.message()).replace("\\n", ", ");
+        Failure::at(file, line, format_args!("{what}; compare with nanospectra scene --print paper"))
+    })?;
+    Ok(Recipe { name: name.into(), scene, file: file.into(), folder: folder.into(), text: text.into() })
+}
+
+/// The line where a span begins, counted from 1.
+fn line(text: &str, span: Option<Range<usize>>) -> usize {
+    let before = span.and_then(|span| text.get(..span.start)).unwrap_or_default();
+    before.matches('\n').count() + 1
+}
+
+impl Recipe {
+    /// A failure at something that was written.
+    pub fn wrong<T>(&self, at: &Spanned<T>, what: impl std::fmt::Display) -> Failure {
+        Failure::at(&self.file, line(&self.text, Some(at.span())), what)
+    }
+
+    /// A file named in the scene.
+    pub fn beside(&self, path: &Path) -> PathBuf {
+        self.folder.join(path)
+    }
+}

@@ -1,0 +1,71 @@
+//! Where the light of a scene comes from.
+
+use crate::failure::{Failure, short};
+use crate::input::{illuminants, text};
+use crate::scene::file::{self, Recipe};
+use crate::scene::table;
+use nanospectra::radiometry::illuminance;
+use nanospectra::{Fine, Interpolation, Outside, Power, light};
+
+/// A lamp: what it is called, and its power on the CIE grid, and the level that was asked for.
+pub struct Lamp {
+    pub name: String,
+    pub power: Fine<Power>,
+    pub illuminance_lx: Option<f32>,
+}
+
+/// The lamp of a scene.
+pub fn of(recipe: &Recipe) -> Result<Lamp, Failure> {
+    let at = &recipe.scene.lamp;
+    let lamp = at.get_ref();
+    let wrong = |what: String| recipe.wrong(at, what);
+    let (name, power) = match (&lamp.cie, lamp.blackbody_k, &lamp.csv, &lamp.points) {
+        (Some(name), None, None, None) => {
+            let what =
+                || format!("'{}' is no CIE illuminant; use {} or L41", short(name), illuminants::NAMES);
+            illuminants::find(name, Interpolation::Linear).ok_or_else(|| wrong(what()))?
+        }
+        (None, Some(kelvin), None, None) => {
+            if !(500.0..=1e6).contains(&kelvin) {
+                return Err(wrong(format!(
+                    "blackbody_k = {kelvin} does not shine for eyes; give 500 to 1000000 K"
+                )));
+            }
+            (
+                format!("black body of {kelvin} K"),
+                Fine::at_centres(|nm| light::blackbody_relative(nm, kelvin)),
+            )
+        }
+        (None, None, Some(path), None) => {
+            let samples = table::samples(&recipe.beside(path))?;
+            (
+                text::stem(path).unwrap_or_default(),
+                fine(&samples).map_err(|what| Failure::of(path.display(), what))?,
+            )
+        }
+        (None, None, None, Some(points)) => ("points".into(), fine(&file::pairs(points)).map_err(wrong)?),
+        _ => return Err(wrong("a lamp is one thing; give one of cie, blackbody_k, csv, points".into())),
+    };
+    let lux = illuminance(&power);
+    if lux.is_nan() || lux <= 0.0 {
+        return Err(wrong("nothing visible; give a lamp with power in 360..830 nm".into()));
+    }
+    // A unit of its own, which is what all is compared with.
+    if !(1e-20..=1e20).contains(&lux) {
+        return Err(wrong(format!("its numbers are out of range, {lux:e} lx; give them in another unit")));
+    }
+    if let Some(asked) = lamp.illuminance_lx
+        && !(1e-6..=1e9).contains(&asked)
+    {
+        return Err(wrong(format!("illuminance_lx = {asked} is no level; give lux, 0.000001 to 1000000000")));
+    }
+    Ok(Lamp { name, power, illuminance_lx: lamp.illuminance_lx })
+}
+
+fn fine(samples: &[(f32, f32)]) -> Result<Fine<Power>, String> {
+    if let Some((nm, value)) = samples.iter().find(|(_, value)| *value < 0.0) {
+        return Err(format!("{value} at {nm} nm is no power; give 0 or more"));
+    }
+    Fine::interpolated(samples, Interpolation::Linear, Outside::Zero)
+        .map_err(|error| format!("{error}; give wavelengths in nm, increasing"))
+}

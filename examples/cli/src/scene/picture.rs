@@ -1,0 +1,139 @@
+//! The picture of a scene: the light before and after, what it looks like, and the bill.
+
+use crate::failure::{Failure, printable};
+use crate::output::tint;
+use crate::picture::spectrum::{self, Spectrum};
+use crate::picture::{self, Area, FAINT, INK, check_free, create, label, patch, refused};
+use crate::scene::answer::{Answer, Line};
+use crate::scene::text;
+use std::fs;
+use std::path::{Path, PathBuf};
+use svg::Document;
+use svg::node::element::Group;
+
+/// Where the bill begins, and from one line to the next.
+const BILL: f32 = 520.0;
+const SPACING: f32 = 26.0;
+/// The columns of the bill: part, effect, multiply-adds, bytes, without it, patch.
+const COLUMNS: [f32; 6] = [30.0, 250.0, 470.0, 560.0, 600.0, 780.0];
+
+/// Draws into a new file: `path` if it ends in .svg, else one in that directory, which is made if missing.
+pub fn save(path: &Path, answer: &Answer) -> Result<PathBuf, Failure> {
+    let path = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
+        path.to_owned()
+    } else {
+        fs::create_dir_all(path).map_err(|error| refused(path, &error, "place"))?;
+        path.join(format!("{}.svg", answer.name))
+    };
+    check_free(&path, "give another name")?;
+    svg::write(create(&path, "place")?, &page(answer)).map_err(|error| refused(&path, &error, "place"))?;
+    Ok(path)
+}
+
+fn page(answer: &Answer) -> Document {
+    let notes = notes(answer);
+    let end = BILL + SPACING * (answer.bill.len() + 3) as f32;
+    let height = end + SPACING * (notes.len() + 1) as f32;
+    let subtitle = format!("{}  ·  {}  ·  {}", printable(&answer.lamp), answer.eye, answer.grid);
+    picture::page(height, &printable(&answer.title), &subtitle)
+        .add(spectra(answer))
+        .add(looks(answer))
+        .add(bill(answer))
+        .add(notes.into_iter().enumerate().fold(Group::new(), |group, (k, cells)| {
+            let y = end + SPACING * (k + 1) as f32;
+            // The title, and eight columns behind it.
+            cells.iter().enumerate().fold(group, |group, (column, cell)| {
+                let x = if column == 0 { COLUMNS[0] } else { 150.0 + 100.0 * column as f32 };
+                group.add(label(x, y, cell).set("fill", if column == 0 { FAINT } else { INK }))
+            })
+        }))
+}
+
+/// Below the bill: what `--budget` came to, and the chip.
+fn notes(answer: &Answer) -> Vec<Vec<String>> {
+    let mut notes = Vec::new();
+    if let Some(budget) = &answer.budget {
+        notes.push(vec![format!("{}; {}", text::verdict(budget), tint::hex(budget.srgb))]);
+    }
+    if let Some(sensor) = &answer.sensor {
+        for (title, cells) in text::channels(sensor, answer.absolute.is_some()) {
+            notes.push([vec![format!("{}, {title}", sensor.name)], cells].concat());
+        }
+    }
+    notes
+}
+
+/// The lamp as a line, what leaves in the colours of the wavelengths.
+fn spectra(answer: &Answer) -> Group {
+    let all = answer.lit.iter().chain(&answer.leaving);
+    let high = all.map(|(_, power)| *power).fold(f32::MIN_POSITIVE, f32::max);
+    let power = if answer.absolute.is_some() { "W/(m2 nm)" } else { "relative power" };
+    let area = Area { left: 90.0, top: 90.0, width: 560.0, height: 330.0 };
+    let spectrum = Spectrum { filled: &answer.leaving, dashed: &answer.lit, low: 0.0, high };
+    spectrum::draw(area, ["wavelength / nm   (dashed: the lamp)", power], &spectrum)
+}
+
+/// The lamp's patch, that of what leaves, and the numbers.
+fn looks(answer: &Answer) -> Group {
+    let mut group = Group::new();
+    let patches =
+        [("the lamp", answer.lamp_srgb, 90.0, 60.0), ("what leaves", answer.look.srgb, 165.0, 120.0)];
+    for (title, color, top, height) in patches {
+        group = group.add(patch(Area { left: 700.0, top, width: 150.0, height }, color)).add(label(
+            866.0,
+            top + 20.0,
+            title,
+        ));
+        group = group.add(label(866.0, top + 42.0, &tint::hex(color)).set("fill", FAINT));
+    }
+    if answer.look.is_clipped {
+        group = group.add(label(866.0, 229.0, text::clipped(&answer.look).trim()).set("fill", FAINT));
+    }
+    let levels = answer.absolute.as_ref().map_or(Vec::new(), text::levels);
+    for (k, (title, value)) in text::coordinates(&answer.look).into_iter().chain(levels).enumerate() {
+        let y = 316.0 + 22.0 * k as f32;
+        group = group.add(label(700.0, y, title).set("fill", FAINT)).add(label(820.0, y, &value));
+    }
+    group
+}
+
+/// A line for each part, with what the scene looks like without it.
+fn bill(answer: &Answer) -> Group {
+    let heads = ["part", "effect", "multiply-adds", "bytes", "without it", "with, without"];
+    let mut group = row(0, heads.map(String::from), FAINT);
+    for (k, line) in answer.bill.iter().enumerate() {
+        let Line { name, effect, price, without_delta_e, .. } = line;
+        let fate = if line.left_out { ", left out" } else { "" };
+        let cells = [
+            text::short_name(name),
+            (*effect).into(),
+            price.multiply_adds.to_string(),
+            price.bytes.to_string(),
+            format!("{without_delta_e:.2} CIEDE2000{fate}"),
+            String::new(),
+        ];
+        let top = BILL + SPACING * (k + 1) as f32 - 15.0;
+        let half = Area { left: COLUMNS[5], top, width: 80.0, height: 20.0 };
+        group = group
+            .add(row(k + 1, cells, INK))
+            .add(patch(half, answer.look.srgb))
+            .add(patch(Area { left: COLUMNS[5] + 80.0, ..half }, line.without_srgb));
+    }
+    let totals = [("walked, with lamp and eye", answer.walked), ("folded into the eye", answer.folded)];
+    for (k, (what, price)) in totals.into_iter().enumerate() {
+        let cells = [what.into(), String::new(), price.multiply_adds.to_string(), price.bytes.to_string()];
+        let [a, b, c, d] = cells;
+        group = group.add(row(answer.bill.len() + 1 + k, [a, b, c, d, String::new(), String::new()], FAINT));
+    }
+    group
+}
+
+fn row(k: usize, cells: [String; 6], color: &str) -> Group {
+    let y = BILL + SPACING * k as f32;
+    let mut group = Group::new();
+    for (column, (cell, x)) in cells.iter().zip(COLUMNS).enumerate() {
+        let anchor = if column == 2 || column == 3 { "end" } else { "start" };
+        group = group.add(label(x, y, cell).set("fill", color).set("text-anchor", anchor));
+    }
+    group
+}

@@ -1,0 +1,108 @@
+//! A matrix to XYZ from a file: as it stands, or fitted to patches.
+
+use crate::failure::Failure;
+use crate::sensor::cells::{self, Table};
+use nanospectra::color::Xyz;
+use nanospectra::sensor::{BasicCounts, Calibration, Fit};
+use std::path::Path;
+
+const XYZ: [&str; 3] = ["x", "y", "z"];
+
+/// A matrix and what is to be said about it.
+pub struct Found<const C: usize> {
+    pub matrix: Calibration<C>,
+    pub said: String,
+}
+
+pub fn read<const C: usize>(path: &Path, channels: &[String]) -> Result<Found<C>, Failure> {
+    let table = cells::read(path)?;
+    let names: Vec<&str> = channels.iter().map(String::as_str).collect();
+    let places: [usize; C] = table
+        .places(&names)?
+        .try_into()
+        .map_err(|_| Failure::at(&table.file, table.line, "another number of channels; check --sensor"))?;
+    match XYZ.map(|name| table.place(name)) {
+        [Some(x), Some(y), Some(z)] => patches(&table, places, [x, y, z]),
+        _ => matrix(&table, places),
+    }
+}
+
+/// Rows X, Y and Z.
+fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>, Failure> {
+    let shape = "give three rows X, Y, Z (heading: row and the channels), or patches with columns X, Y, Z";
+    let Some(name) = table.place("row") else {
+        return Err(Failure::at(
+            &table.file,
+            table.line,
+            format_args!("neither a matrix nor patches; {shape}"),
+        ));
+    };
+    let mut rows = [[0.0; C]; 3];
+    for (row, wanted) in rows.iter_mut().zip(XYZ) {
+        let mut found = table.rows.iter().filter(|row| row.cells[name].eq_ignore_ascii_case(wanted));
+        let (Some(cells), None) = (found.next(), found.next()) else {
+            let wanted = wanted.to_uppercase();
+            return Err(Failure::at(&table.file, table.line, format_args!("not one row {wanted}; {shape}")));
+        };
+        for (value, place) in row.iter_mut().zip(places) {
+            *value = table.number(cells, place)? as f32;
+        }
+    }
+    if let Some(extra) = table.rows.iter().find(|row| !XYZ.contains(&row.cells[name].to_lowercase().as_str()))
+    {
+        return Err(Failure::at(
+            &table.file,
+            extra.line,
+            format_args!("a row that is none of X, Y, Z; {shape}"),
+        ));
+    }
+    Ok(Found { matrix: Calibration::from_rows(rows), said: format!("matrix of {}", table.file) })
+}
+
+/// Basic counts and what they should come to.
+fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -> Result<Found<C>, Failure> {
+    let mut fit = Fit::<C>::new();
+    let mut all = Vec::new();
+    for row in &table.rows {
+        let mut basic = [0.0; C];
+        for (value, place) in basic.iter_mut().zip(places) {
+            *value = table.number(row, place)? as f32;
+        }
+        let mut target = [0.0; 3];
+        for (value, place) in target.iter_mut().zip(xyz) {
+            *value = table.number(row, place)? as f32;
+        }
+        if target[1] <= 0.0 {
+            return Err(Failure::at(&table.file, row.line, "Y is not above zero; leave out dark patches"));
+        }
+        let basic = BasicCounts::new(basic);
+        fit.add_relative(&basic, Xyz::from(target));
+        all.push((basic, target));
+    }
+    let wrong = |error| Failure::of(&table.file, format_args!("cannot be fitted; {error}"));
+    let matrix = fit.solve().map_err(wrong)?;
+    let percent = |share: f32| 100.0 * share;
+    let [x, y, z] = fit.residual_rms().map(percent);
+    let mut said = format!(
+        "matrix fitted to {} patches of {}: errors relative to Y, rms, X {x:.2} % Y {y:.2} % Z {z:.2} %",
+        all.len(),
+        table.file
+    );
+    let mut sums = [0.0; 3];
+    let unseen = all.iter().try_for_each(|(basic, target)| {
+        let errors = fit.leave_one_out(basic, *target, 1.0 / target[1])?;
+        for (sum, error) in sums.iter_mut().zip(errors) {
+            *sum += (error / target[1]).powi(2);
+        }
+        Ok::<_, nanospectra::sensor::FitError>(())
+    });
+    said += &match unseen {
+        Ok(()) => {
+            let [x, y, z] = sums.map(|sum: f32| percent((sum / all.len() as f32).sqrt()));
+            format!("; on patches left out X {x:.2} % Y {y:.2} % Z {z:.2} %")
+        }
+        Err(error) => format!("; the error on patches left out cannot be told: {error}"),
+    };
+    said += &format!("; condition {:.0}", fit.condition().map_err(wrong)?);
+    Ok(Found { matrix, said })
+}

@@ -1,0 +1,106 @@
+//! CSV with a heading, strictly: cells with the line they came from.
+
+use crate::failure::{Failure, short};
+use crate::input::{lines, text};
+use std::path::Path;
+
+/// A table of text.
+pub struct Table {
+    /// Its name, for messages.
+    pub file: String,
+    /// The line of the heading.
+    pub line: usize,
+    /// Trimmed, in lower case.
+    pub heading: Vec<String>,
+    pub rows: Vec<Row>,
+}
+
+pub struct Row {
+    pub line: usize,
+    /// As many as the heading has.
+    pub cells: Vec<String>,
+}
+
+/// A table from a file, or from standard input for `-`.
+pub fn read(path: &Path) -> Result<Table, Failure> {
+    let (file, text) = text::read(path)?;
+    parse(&file, &text)
+}
+
+/// The table in a text; `file` is its name for messages.
+pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
+    let mut rows_of_text = lines::rows(text);
+    let Some((heading, line)) = rows_of_text.next() else {
+        return Err(Failure::at(file, 1, "nothing in it; give a heading and rows of numbers"));
+    };
+    let mark = [';', '\t', ','].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
+    let at = |line: usize| move |what: String| Failure::at(file, line, what);
+    let heading: Vec<String> =
+        cells(heading, mark).map_err(at(line))?.into_iter().map(|cell| cell.to_lowercase()).collect();
+    for (place, name) in heading.iter().enumerate() {
+        if name.is_empty() {
+            return Err(at(line)(format!("column {} has no name; give it one, or remove it", place + 1)));
+        }
+        if heading[..place].contains(name) {
+            return Err(at(line)(format!("two columns are called '{name}'; rename or remove one")));
+        }
+    }
+    let mut rows = Vec::new();
+    for (text, line) in rows_of_text {
+        let cells = cells(text, mark).map_err(at(line))?;
+        if cells.len() != heading.len() {
+            let (found, wanted) = (cells.len(), heading.len());
+            return Err(at(line)(format!(
+                "{found} cells where the heading has {wanted}; complete or correct the row"
+            )));
+        }
+        rows.push(Row { line, cells });
+    }
+    if rows.is_empty() {
+        return Err(at(line)("only a heading; add rows of numbers".into()));
+    }
+    Ok(Table { file: file.to_owned(), line, heading, rows })
+}
+
+fn cells(line: &str, mark: char) -> Result<Vec<String>, String> {
+    lines::check(line)?;
+    lines::cells(line, mark)
+}
+
+impl Table {
+    /// The place of a column.
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.heading.iter().position(|column| column == name)
+    }
+
+    /// The places of columns that must be there.
+    pub fn places(&self, names: &[&str]) -> Result<Vec<usize>, Failure> {
+        let wanted = |name: &&str| {
+            self.place(name).ok_or_else(|| {
+                let all = names.join(", ");
+                Failure::at(&self.file, self.line, format!("no column '{name}'; name the columns {all}"))
+            })
+        };
+        names.iter().map(wanted).collect()
+    }
+
+    /// A finite number.
+    pub fn number(&self, row: &Row, place: usize) -> Result<f64, Failure> {
+        let (cell, name) = (&row.cells[place], &self.heading[place]);
+        let wrong = |what: String| Failure::at(&self.file, row.line, what);
+        if cell.is_empty() {
+            return Err(wrong(format!("'{name}' is empty; fill it in, or remove the row")));
+        }
+        let said = short(cell);
+        match cell.parse::<f64>() {
+            Ok(number) if number.is_finite() && (number as f32).is_finite() => Ok(number),
+            Ok(_) => {
+                Err(wrong(format!("'{name}' is {said}, not a finite number; correct it, or remove the row")))
+            }
+            Err(_) if cell.replacen(',', ".", 1).parse::<f64>().is_ok() => {
+                Err(wrong(format!("'{name}' is '{said}'; write the decimal point as '.'")))
+            }
+            Err(_) => Err(wrong(format!("'{name}' is '{said}', not a number; correct it"))),
+        }
+    }
+}

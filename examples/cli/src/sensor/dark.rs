@@ -1,0 +1,93 @@
+//! What is taken off the counts.
+
+use crate::failure::Failure;
+use crate::sensor::args::Args;
+use crate::sensor::log::{self, Entry, Log};
+use nanospectra::sensor::Exposure;
+
+/// Dark levels of the log itself or of a file.
+pub struct Frames {
+    file: String,
+    frames: Vec<Frame>,
+}
+
+/// The mean of all dark readings of one exposure.
+struct Frame {
+    exposure: Option<Exposure>,
+    readings: u16,
+    sums: Vec<f64>,
+}
+
+/// A dark level of each channel, in counts, and from how many readings it is.
+pub struct Level {
+    pub counts: Vec<f32>,
+    pub readings: u16,
+}
+
+impl Frames {
+    pub fn read(args: &Args, log: &Log) -> Result<Self, Failure> {
+        let mut frames: Vec<Frame> = Vec::new();
+        let Some(path) = &args.dark else {
+            return Ok(Frames { file: log.file.clone(), frames });
+        };
+        if log.entries.iter().any(|entry| entry.dark.is_some()) {
+            return Err(Failure::of("--dark", "the log has dark_ columns too; leave out one of the two"));
+        }
+        let dark = log::read_dark(path, args.sensor, &log.channels)?;
+        for entry in dark.entries {
+            let same = frames.iter_mut().find(|frame| frame.exposure == entry.exposure);
+            match same {
+                Some(frame) => {
+                    frame.readings = frame.readings.saturating_add(1);
+                    frame.sums.iter_mut().zip(&entry.counts).for_each(|(sum, count)| *sum += count);
+                }
+                None => frames.push(Frame { exposure: entry.exposure, readings: 1, sums: entry.counts }),
+            }
+        }
+        Ok(Frames { file: dark.file, frames })
+    }
+
+    /// The dark level of an entry, if any is known.
+    pub fn of(&self, entry: &Entry) -> Result<Option<Level>, Failure> {
+        if let Some(counts) = &entry.dark {
+            return level(&self.file, entry, counts.iter().copied(), 1);
+        }
+        if self.frames.is_empty() {
+            return Ok(None);
+        }
+        let fits = |frame: &&Frame| frame.exposure.is_none() || frame.exposure == entry.exposure;
+        let Some(frame) = self.frames.iter().find(fits) else {
+            return Err(Failure::of(
+                &self.file,
+                format_args!(
+                    "no dark reading with the exposure of line {} of the log; add one, its shutter closed",
+                    entry.line
+                ),
+            ));
+        };
+        level(&self.file, entry, frame.sums.iter().map(|sum| sum / f64::from(frame.readings)), frame.readings)
+    }
+}
+
+/// A level that leaves room for light.
+fn level(
+    file: &str,
+    entry: &Entry,
+    counts: impl Iterator<Item = f64>,
+    readings: u16,
+) -> Result<Option<Level>, Failure> {
+    let counts: Vec<f32> = counts.map(|count| count as f32).collect();
+    let full_scale = entry.exposure.map_or(f32::INFINITY, |exposure| exposure.full_scale() as f32);
+    if let Some(k) = counts.iter().position(|count| *count >= full_scale) {
+        return Err(Failure::of(
+            file,
+            format_args!(
+                "channel {} counts {} in the dark, which is full scale at line {} of the log; measure the dark again",
+                k + 1,
+                counts[k],
+                entry.line
+            ),
+        ));
+    }
+    Ok(Some(Level { counts, readings }))
+}

@@ -1,0 +1,163 @@
+//! What is known of the chip, as matrices.
+
+use crate::failure::Failure;
+use crate::sensor::args::{Args, Unit};
+use crate::sensor::calibration;
+use crate::sensor::chip::{BINS, Chip, Grid};
+use crate::sensor::responsivity;
+use nanospectra::observer::{CIE_1931, KM};
+use nanospectra::sensor::{ALPHA, Calibration, Noise, Reconstruction};
+use nanospectra::{Curve, Observer, Power};
+use std::sync::LazyLock;
+
+/// How alike neighbouring bins of 10 nm are expected to be.
+const CORRELATION: f32 = 0.95;
+/// A bin is reported if a channel sees it at this share of its peak.
+const SEEN: f32 = 0.01;
+
+static EYE: LazyLock<Observer<3, BINS, Power, Grid>> = LazyLock::new(|| CIE_1931.fold(Curve::Step));
+
+/// What does not depend on the number of channels.
+pub struct Setup {
+    pub chip: Chip,
+    pub channels: Vec<String>,
+    pub noise: Noise,
+    /// Whether something is known of the noise besides the rounding.
+    pub noise_is_known: bool,
+    /// Counts above dark that a reading must have.
+    pub floor: f32,
+    /// The channels' weights on the bins.
+    pub weights: Option<Vec<[f32; BINS]>>,
+    pub source: Source,
+    /// Y is in lux.
+    pub absolute: bool,
+}
+
+/// Where responsivities come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    Nominal,
+    File,
+    Unknown,
+}
+
+impl Source {
+    pub fn name(self) -> &'static str {
+        match self {
+            Source::Nominal => "nominal",
+            Source::File => "file",
+            Source::Unknown => "unknown",
+        }
+    }
+}
+
+impl Setup {
+    pub fn new(args: &Args, channels: &[String]) -> Result<Self, Failure> {
+        let (weights, source) = match (&args.responsivity, args.sensor.nominal()) {
+            (Some(path), _) => (Some(responsivity::read(path, channels)?), Source::File),
+            (None, Some(nominal)) => (Some(nominal), Source::Nominal),
+            (None, None) => (None, Source::Unknown),
+        };
+        let chip = args.sensor;
+        if source == Source::Unknown && args.calibration.is_none() && chip != Chip::Opt4048 {
+            return Err(Failure::of(
+                "--sensor",
+                format_args!(
+                    "nothing is known of the channels of a {} that would give colour; \
+                     give --calibration with measured patches, or --responsivity",
+                    chip.title()
+                ),
+            ));
+        }
+        let told = args.calibration.is_some() || args.responsivity.is_some();
+        if args.unit.is_some() && !told {
+            return Err(Failure::of(
+                "--unit",
+                "says what --responsivity or --calibration mean; give one of them, or leave it out",
+            ));
+        }
+        let absolute = match args.unit {
+            Some(unit) => unit == Unit::Absolute,
+            None => args.calibration.is_some(),
+        };
+        // The simulated log says how it was made.
+        let known = args.log.is_none().then_some(crate::sensor::simulate::NOISE);
+        let noise_is_known =
+            known.is_some() || args.electrons_per_count.is_some() || args.read_counts.is_some();
+        let rounding = Noise { electrons_per_count: f32::INFINITY, read_counts: 0.0 };
+        let known = known.unwrap_or(rounding);
+        let noise = Noise {
+            electrons_per_count: args.electrons_per_count.unwrap_or(known.electrons_per_count),
+            read_counts: args.read_counts.unwrap_or(known.read_counts),
+        };
+        let channels = channels.to_vec();
+        Ok(Setup { chip, channels, noise, noise_is_known, floor: args.floor, weights, source, absolute })
+    }
+}
+
+/// From basic counts to what is asked for.
+pub struct Instrument<const C: usize> {
+    pub to_xyz: Calibration<C>,
+    /// Where lux is not Y.
+    pub to_lux: Option<Calibration<C, 1>>,
+    pub spectrum: Option<Reconstruction<C, BINS, Grid>>,
+    /// XYZ of that spectrum.
+    pub of_spectrum: Option<Calibration<C>>,
+    /// Bins that a channel sees.
+    pub seen: [bool; BINS],
+    /// How the colours come about, for the report.
+    pub colors: Vec<String>,
+}
+
+impl<const C: usize> Instrument<C> {
+    pub fn new(args: &Args, setup: &Setup) -> Result<Self, Failure> {
+        let weights: Option<[[f32; BINS]; C]> =
+            setup.weights.as_ref().and_then(|rows| rows.as_slice().try_into().ok());
+        let place = args.responsivity.as_ref().map_or("--sensor".into(), |path| path.display().to_string());
+        let spectrum = weights
+            .map(|rows| Reconstruction::smooth(&Observer::from_weights(rows), CORRELATION, ALPHA))
+            .transpose()
+            .map_err(|error| Failure::of(place, format_args!("no spectrum from these; {error}")))?;
+        let of_spectrum = spectrum.map(|spectrum| spectrum.seen_by(&EYE).scaled(KM));
+        let mut colors = Vec::new();
+        match setup.source {
+            Source::Nominal => colors.push(format!(
+                "spectrum: NOMINAL responsivities of the {}, Gaussians of the data sheet, not this chip's own",
+                setup.chip.title()
+            )),
+            Source::File => colors.push("spectrum: responsivities of a file".into()),
+            Source::Unknown => {}
+        }
+        let mut to_lux = None;
+        let to_xyz = match (&args.calibration, of_spectrum) {
+            (Some(path), _) => {
+                let found = calibration::read(path, &setup.channels)?;
+                colors.push(format!("XYZ: {}", found.said));
+                found.matrix
+            }
+            (None, Some(matrix)) => {
+                colors.push("XYZ: of the spectrum".into());
+                // On the scale of the basic counts, unless these are of W/m2.
+                if setup.absolute { matrix } else { matrix.scaled(1.0 / KM) }
+            }
+            (None, None) => {
+                colors.push("XYZ: the matrix that TI gives for the OPT4048, and its lux".into());
+                to_lux = Some(widened(&Calibration::OPT4048_LUX));
+                widened(&Calibration::OPT4048)
+            }
+        };
+        let seen = std::array::from_fn(|bin| {
+            weights.is_some_and(|rows| {
+                rows.iter().any(|row| row[bin] > SEEN * row.iter().copied().fold(0.0, f32::max))
+            })
+        });
+        Ok(Instrument { to_xyz, to_lux, spectrum, of_spectrum, seen, colors })
+    }
+}
+
+/// A matrix for three channels as one for `C`, which is 3.
+fn widened<const C: usize, const D: usize>(matrix: &Calibration<3, D>) -> Calibration<C, D> {
+    Calibration::from_rows(
+        matrix.rows().map(|row| std::array::from_fn(|channel| row.get(channel).copied().unwrap_or(0.0))),
+    )
+}

@@ -1,0 +1,176 @@
+//! Readings and runs as JSON, one object a line: every number with all the digits it has.
+
+use crate::output::json::single;
+use crate::sensor::Report;
+use crate::sensor::chip::Chip;
+use crate::sensor::instrument::Setup;
+use crate::sensor::measure::{Color, Reading, Status};
+use crate::sensor::runs::Run;
+use nanospectra::color::Cct;
+use serde_json::{Map, Value, json};
+
+/// All of them, in input order, runs after the readings.
+pub fn lines(report: &Report) -> String {
+    let readings = report.readings.iter().map(|reading| object(report, reading));
+    let runs = report.runs.iter().map(run);
+    readings.chain(runs).map(|object| format!("{object}\n")).collect()
+}
+
+fn object(report: &Report, reading: &Reading) -> Value {
+    let setup = &report.setup;
+    let saturated = match &reading.status {
+        Status::Saturated(channels) => channels.as_slice(),
+        _ => &[],
+    };
+    let mut object = json!({
+        "kind": "reading",
+        "line": reading.line,
+        "time": reading.time.as_ref().map(|(text, seconds)| seconds.map_or(json!(text), Value::from)),
+        "label": reading.label,
+        "sensor": setup.chip.title(),
+        "responsivities": setup.source.name(),
+        "status": reading.status.name(),
+        "saturated": saturated,
+        "counts": raw(setup, &reading.counts),
+        "exposure": {
+            "settings": reading.settings,
+            "gain": single(reading.exposure.gain()),
+            "time_ms": single(reading.exposure.time_ms()),
+            "full_scale": reading.exposure.full_scale(),
+            "shows_100_hz": shown(setup, reading, 100.0),
+            "shows_120_hz": shown(setup, reading, 120.0),
+        },
+        "temperature_c": reading.temperature_c.map(single),
+        "basic_counts": reading.basic.as_ref().map(|basic| channels(setup, basic)),
+    });
+    let color = reading.color.as_ref().map_or_else(nothing, color);
+    if let (Value::Object(object), Value::Object(color)) = (&mut object, color) {
+        object.extend(color);
+    }
+    object["next"] = reading.next.as_ref().map_or(Value::Null, |next| {
+        json!({
+            "settings": next.settings,
+            "gain": single(next.exposure.gain()),
+            "time_ms": single(next.exposure.time_ms()),
+            "same": next.same,
+        })
+    });
+    object["notes"] = notes(report, reading).into();
+    object
+}
+
+fn color(color: &Color) -> Value {
+    let (cct_k, duv) = color.cct.and_then(Cct::near).unzip();
+    let cct = color.cct_uncertainty;
+    json!({
+        "unit": if color.absolute { "absolute" } else { "relative" },
+        "XYZ": color.xyz.to_array().map(single),
+        "xy": color.xy.map(|p| [p.x, p.y].map(single)),
+        "lux": color.lux.map(single),
+        "cct_k": cct_k.map(single),
+        "duv": duv.map(single),
+        "cct": color.cct.map(place),
+        "ppfd": color.ppfd.map(single),
+        "wavelengths_nm": color.spectrum.as_ref().map(|bins| bins.iter().map(|bin| single(bin.0)).collect::<Value>()),
+        "spectrum": color.spectrum.as_ref().map(|bins| bins.iter().map(|bin| single(bin.1)).collect::<Value>()),
+        "uncertainty": {
+            "XYZ": color.xyz_uncertainty.to_array().map(single),
+            "lux": color.lux_uncertainty.map(single),
+            "cct_k": cct.map(|cct| single(cct.cct_k)),
+            "mired": cct.map(|cct| single(cct.mired)),
+            "duv": cct.map(|cct| single(cct.duv)),
+        },
+    })
+}
+
+/// The same keys of a reading without a colour.
+fn nothing() -> Value {
+    let keys = [
+        "unit",
+        "XYZ",
+        "xy",
+        "lux",
+        "cct_k",
+        "duv",
+        "cct",
+        "ppfd",
+        "wavelengths_nm",
+        "spectrum",
+        "uncertainty",
+    ];
+    Value::Object(keys.into_iter().map(|key| (key.to_owned(), Value::Null)).collect::<Map<_, _>>())
+}
+
+/// Where a chromaticity lies beside the Planckian locus.
+pub fn place(cct: Cct) -> &'static str {
+    match cct {
+        Cct::Near { .. } => "near",
+        Cct::OffLocus => "off the locus",
+        Cct::TooCold => "below 1000 K",
+        Cct::TooHot => "beyond 1e6 K",
+        _ => "none",
+    }
+}
+
+/// What is to be said of a reading, that of all readings first.
+fn notes(report: &Report, reading: &Reading) -> Vec<String> {
+    let own = general(&report.setup, reading).into_iter().chain(reading.notes.iter().cloned());
+    report.colors.iter().cloned().chain(own.map(|(key, text)| format!("{key}: {text}"))).collect()
+}
+
+/// What is true of every reading with this setup.
+pub fn general(setup: &Setup, reading: &Reading) -> Vec<(&'static str, String)> {
+    let mut notes = Vec::new();
+    let Some(color) = &reading.color else { return notes };
+    if color.lux.is_none() && !setup.absolute {
+        let what = "nothing absolute is known of this sensor: Y is relative; give --calibration in lux";
+        notes.push(("lux", what.to_owned()));
+    }
+    if !setup.noise_is_known {
+        let what = "of the rounding to whole counts alone; give --electrons-per-count and --read-counts";
+        notes.push(("uncertainty", what.to_owned()));
+    }
+    notes
+}
+
+fn run(run: &Run) -> Value {
+    let flicker = |at: &crate::sensor::runs::At| {
+        let found = at.found.as_ref().ok();
+        json!({
+            "frequency_hz": single(at.frequency_hz),
+            "mean": found.map(|(flicker, _)| single(flicker.mean)),
+            "percent": found.map(|(flicker, _)| single(flicker.percent)),
+            "index": found.map(|(flicker, _)| single(flicker.index)),
+            "amplitude": found.map(|(_, amplitude)| single(*amplitude)),
+            "confused_with_hz": at.confused_with_hz.map(single),
+            "shown_by_readings": single(at.shown),
+            "note": at.found.as_ref().err(),
+        })
+    };
+    json!({
+        "kind": "run",
+        "label": run.label,
+        "lines": [run.lines.0, run.lines.1],
+        "readings": run.readings,
+        "rate_hz": run.rate_hz.as_ref().ok().map(|rate| single(*rate)),
+        "note": run.rate_hz.as_ref().err(),
+        "flicker": run.flicker.iter().map(flicker).collect::<Value>(),
+    })
+}
+
+/// The share of a flicker that the reading still shows; an OPT4048 does not tell its conversion time.
+fn shown(setup: &Setup, reading: &Reading, hz: f32) -> Value {
+    if setup.chip == Chip::Opt4048 { Value::Null } else { single(reading.exposure.residual_modulation(hz)) }
+}
+
+/// Whole counts as such.
+fn raw(setup: &Setup, counts: &[f64]) -> Value {
+    let count = |count: &f64| {
+        if count.fract() == 0.0 && *count < 4e9 { Value::from(*count as u32) } else { Value::from(*count) }
+    };
+    setup.channels.iter().cloned().zip(counts.iter().map(count)).collect()
+}
+
+fn channels(setup: &Setup, values: &[f32]) -> Value {
+    setup.channels.iter().cloned().zip(values.iter().map(|value| single(*value))).collect()
+}

@@ -1,0 +1,143 @@
+//! A log of counts.
+
+use crate::failure::Failure;
+use crate::sensor::args::Args;
+use crate::sensor::cells::{self, Row, Table};
+use crate::sensor::chip::Chip;
+use nanospectra::sensor::Exposure;
+use std::path::Path;
+
+/// Simulated readings of known lamps; how, stands in its header.
+const KNOWN_LAMPS: &str = include_str!("../../data/known_lamps.csv");
+
+pub struct Log {
+    pub file: String,
+    /// Names of the channels, in the order of the counts.
+    pub channels: Vec<String>,
+    pub entries: Vec<Entry>,
+}
+
+/// One reading as the chip gave it.
+pub struct Entry {
+    pub line: usize,
+    /// As it stands there, and in seconds if it is a number.
+    pub time: Option<(String, Option<f64>)>,
+    pub label: Option<String>,
+    pub temperature_c: Option<f32>,
+    pub settings: Vec<f64>,
+    /// `None` only in a dark log without exposures.
+    pub exposure: Option<Exposure>,
+    pub counts: Vec<f64>,
+    /// Of `dark_*` columns.
+    pub dark: Option<Vec<f64>>,
+    /// Columns that were not used, once for all entries.
+    pub unused: Vec<String>,
+}
+
+/// The log that was asked for.
+pub fn read(args: &Args) -> Result<Log, Failure> {
+    let table = match &args.log {
+        Some(path) => cells::read(path)?,
+        None => cells::parse("known_lamps.csv", KNOWN_LAMPS)?,
+    };
+    of(&table, args.sensor, channels(&table, args.sensor)?, true)
+}
+
+/// A log of the dark: with the same channels, and perhaps without exposures.
+pub fn read_dark(path: &Path, chip: Chip, channels: &[String]) -> Result<Log, Failure> {
+    let table = cells::read(path)?;
+    of(&table, chip, channels.to_vec(), chip.settings().iter().any(|name| table.place(name).is_some()))
+}
+
+/// The channels: of a custom sensor every column that is nothing else.
+fn channels(table: &Table, chip: Chip) -> Result<Vec<String>, Failure> {
+    if chip != Chip::Custom {
+        return Ok(chip.channels().iter().map(|name| (*name).to_owned()).collect());
+    }
+    let others = ["time", "label", "temperature_c"];
+    let is_channel = |name: &&String| {
+        !others.contains(&name.as_str())
+            && !chip.settings().contains(&name.as_str())
+            && !name.starts_with("dark_")
+    };
+    let channels: Vec<String> = table.heading.iter().filter(is_channel).cloned().collect();
+    if channels.is_empty() {
+        return Err(Failure::at(&table.file, table.line, "no channel; add a column of counts for each"));
+    }
+    Ok(channels)
+}
+
+fn of(table: &Table, chip: Chip, channels: Vec<String>, exposed: bool) -> Result<Log, Failure> {
+    let names: Vec<&str> = channels.iter().map(String::as_str).collect();
+    let settings = if exposed { table.places(chip.settings())? } else { Vec::new() };
+    let counts = table.places(&names)?;
+    let dark_names: Vec<String> = channels.iter().map(|name| format!("dark_{name}")).collect();
+    let dark = if table.heading.iter().any(|name| name.starts_with("dark_")) {
+        Some(table.places(&dark_names.iter().map(String::as_str).collect::<Vec<_>>())?)
+    } else {
+        None
+    };
+    let [time, label, temperature] = ["time", "label", "temperature_c"].map(|name| table.place(name));
+    let used: Vec<usize> = [&settings, &counts, dark.as_ref().unwrap_or(&Vec::new())]
+        .into_iter()
+        .flatten()
+        .copied()
+        .chain([time, label, temperature].into_iter().flatten())
+        .collect();
+    let unused: Vec<String> = (0..table.heading.len())
+        .filter(|place| !used.contains(place))
+        .map(|place| table.heading[place].clone())
+        .collect();
+    let entry = |row: &Row| {
+        let values = settings.iter().map(|place| table.number(row, *place)).collect::<Result<Vec<_>, _>>()?;
+        let exposure = if exposed { Some(exposure(table, row, chip, &settings, &values)?) } else { None };
+        let time = time.map(|place| (row.cells[place].clone(), row.cells[place].parse::<f64>().ok()));
+        Ok(Entry {
+            line: row.line,
+            time: time.map(|(text, seconds)| (text, seconds.filter(|seconds| seconds.is_finite()))),
+            label: label.map(|place| row.cells[place].clone()),
+            temperature_c: temperature
+                .map(|place| table.number(row, place))
+                .transpose()?
+                .map(|celsius| celsius as f32),
+            settings: values,
+            exposure,
+            counts: counted(table, row, chip, &counts)?,
+            dark: dark.as_ref().map(|places| counted(table, row, Chip::Custom, places)).transpose()?,
+            unused: unused.clone(),
+        })
+    };
+    let entries = table.rows.iter().map(entry).collect::<Result<Vec<_>, Failure>>()?;
+    Ok(Log { file: table.file.clone(), channels, entries })
+}
+
+fn exposure(
+    table: &Table,
+    row: &Row,
+    chip: Chip,
+    places: &[usize],
+    values: &[f64],
+) -> Result<Exposure, Failure> {
+    chip.exposure(values).map_err(|(k, what)| {
+        let name = &table.heading[places[k]];
+        Failure::at(&table.file, row.line, format!("'{name}' is {}, {what}", values[k]))
+    })
+}
+
+fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec<f64>, Failure> {
+    let count = |place: &usize| {
+        let (count, name) = (table.number(row, *place)?, &table.heading[*place]);
+        let wrong = |what: &str| Failure::at(&table.file, row.line, format!("'{name}' is {count}, {what}"));
+        if count < 0.0 {
+            return Err(wrong("no count; give raw counts, and what they are in the dark as dark_ columns"));
+        }
+        if chip.counts_are_whole() && count.fract() != 0.0 {
+            return Err(wrong("no whole count; give raw counts, not basic or scaled ones"));
+        }
+        if count > chip.largest_count() {
+            return Err(wrong("more than the chip can count; correct it, or remove the row"));
+        }
+        Ok(count)
+    };
+    places.iter().map(count).collect()
+}

@@ -1,0 +1,170 @@
+//! The simulated log: an AS7341 that is exactly nominal in front of lamps that are exactly CIE's.
+//!
+//! Whole numbers, sums and square roots alone, so it is the same on every machine, byte for byte.
+
+use nanospectra::radiometry::illuminance;
+use nanospectra::sensor::{AS7341_LADDER, AutoExposure, Exposure, Noise, nominal};
+use nanospectra::{Fine, Interpolation, Nodes, Observer, Power, light};
+use std::fmt::Write;
+
+/// What the chip adds.
+pub const NOISE: Noise = Noise { electrons_per_count: 180.0, read_counts: 1.2 };
+/// Basic counts for each W/m2 at the peak of a channel.
+pub const COUNTS_PER_W: f64 = 30.0;
+pub const SEED: u64 = 0x0a57_3410_5eed;
+/// The light that is switched on and off: how often a second, and for which share.
+pub const PWM_HZ: f64 = 100.0;
+pub const PWM_DUTY: f64 = 0.4;
+/// (ATIME, ASTEP) of its readings, and how many there are.
+const PWM_TIME: (u8, u16) = (0, 359);
+const PWM_READINGS: usize = 40;
+const PWM_GAIN: f32 = 8.0;
+
+/// Label, CIE name, lux.
+pub const LAMPS: [(&str, &str, f32); 6] = [
+    ("A", "A", 200.0),
+    ("D65", "D65", 500.0),
+    ("FL2", "FL2", 300.0),
+    ("FL11", "FL11", 400.0),
+    ("LED-B3", "LED-B3", 350.0),
+    ("HP1", "HP1", 150.0),
+];
+
+/// W/m2/nm of a lamp at an illuminance.
+pub fn lamp(name: &str, lux: f32) -> Fine<Power> {
+    let light = light::named(name, Interpolation::Linear).unwrap_or(Fine::flat(0.0));
+    at(lux, &light)
+}
+
+/// A light emitting diode of 30 nm at 525 nm.
+pub fn green_led(lux: f32) -> Fine<Power> {
+    let [shape] = *nominal::gaussians::<1, 471, Nodes<360, 830>>([(525.0, 30.0)]).weights();
+    at(lux, &Fine::from_bins(shape))
+}
+
+fn at(lux: f32, light: &Fine<Power>) -> Fine<Power> {
+    let now = illuminance(light);
+    Fine::from_bins(light.values().map(|power| if now > 0.0 { power * (lux / now) } else { 0.0 }))
+}
+
+/// Basic counts without noise.
+pub fn basic(light: &Fine<Power>) -> [f64; 8] {
+    let chip: &Observer<8, 471, Power, Nodes<360, 830>> = &nominal::AS7341;
+    chip.sees(light).map(|power| COUNTS_PER_W * f64::from(power))
+}
+
+/// The log, with the header that says all this.
+pub fn log() -> String {
+    let mut log = Log { text: header(), dice: Dice(SEED), seconds: 0.0 };
+    for (label, name, lux) in LAMPS {
+        log.settle(label, &basic(&lamp(name, lux)));
+    }
+    log.settle("dark", &[0.0; 8]);
+    log.settle("green LED", &basic(&green_led(300.0)));
+    // Whoever chose this gain had no advice.
+    log.row("D65 at a gain too high", &basic(&lamp("D65", 20_000.0)), 512.0, 29, 599);
+    log.pulses(&basic(&lamp("LED-B3", 1500.0)));
+    log.text
+}
+
+fn header() -> String {
+    let Noise { electrons_per_count, read_counts } = NOISE;
+    format!(
+        "# Simulated readings of known lamps; made by examples/cli/src/sensor/simulate.rs (nanospectra sensor --simulate), not measured\n\
+         # chip: AS7341 as nanospectra::sensor::nominal has it, {COUNTS_PER_W} basic counts for each W/m2 at a channel's peak\n\
+         # light: CIE illuminants at 200 (A), 500 (D65), 300 (FL2), 400 (FL11), 350 (LED-B3), 150 lx (HP1); green LED of\n\
+         #   30 nm at 525 nm, 300 lx; D65 of 20000 lx at gain 512; dark: none\n\
+         # exposure: AutoExposure on AS7341_LADDER from its middle; the reading after which it stays is the one here\n\
+         # noise: --electrons-per-count {electrons_per_count} --read-counts {read_counts}, sums of 12 even numbers, rounded; seed {SEED:#x}\n\
+         # PWM: LED-B3, 1500 lx when on, {PWM_HZ} Hz, duty {PWM_DUTY}, read without pause, once each 1.0008 ms: 999.2 Hz\n\
+         #   (all channels at once, which the chip's six converters cannot)\n\
+         # licence: CC BY-SA 4.0 (made from CIE data tables)\n\
+         time,label,gain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n"
+    )
+}
+
+struct Log {
+    text: String,
+    dice: Dice,
+    seconds: f64,
+}
+
+impl Log {
+    /// One row: the first reading after which the exposure stays.
+    fn settle(&mut self, label: &str, basic: &[f64; 8]) {
+        let Ok(auto) = AutoExposure::new(&AS7341_LADDER) else { return };
+        let mut place = auto.middle();
+        loop {
+            let exposure = auto.exposure(place);
+            let counts = self.counts(basic, &exposure);
+            self.seconds += 1.0;
+            let advice = auto.advise(place, &counts);
+            if advice.next == place {
+                let steps = f64::from(exposure.time_ms()) / 2.78e-3 / 600.0;
+                return self.write(label, &exposure, (steps.round() as u16 - 1) as u8, 599, &counts);
+            }
+            place = advice.next;
+        }
+    }
+
+    fn row(&mut self, label: &str, basic: &[f64; 8], gain: f32, atime: u8, astep: u16) {
+        let exposure = Exposure::as7341(gain, atime, astep);
+        let counts = self.counts(basic, &exposure);
+        self.seconds += 1.0;
+        self.write(label, &exposure, atime, astep, &counts);
+    }
+
+    /// Readings one after the other of a light that is on at the start of each period.
+    fn pulses(&mut self, on: &[f64; 8]) {
+        let (atime, astep) = PWM_TIME;
+        let exposure = Exposure::as7341(PWM_GAIN, atime, astep);
+        let step = f64::from(exposure.time_ms()) / 1000.0 * PWM_HZ;
+        // Periods of light up to a moment, in periods.
+        let lit = |periods: f64| periods.floor() * PWM_DUTY + periods.fract().min(PWM_DUTY);
+        self.seconds += 1.0;
+        let start = self.seconds;
+        for k in 0..PWM_READINGS {
+            // It begins 0.3 periods after a pulse has.
+            let from = 0.3 + k as f64 * step;
+            let share = (lit(from + step) - lit(from)) / step;
+            let counts = self.counts(&on.map(|value| value * share), &exposure);
+            self.seconds = start + k as f64 * f64::from(exposure.time_ms()) / 1000.0;
+            self.write("PWM", &exposure, atime, astep, &counts);
+        }
+    }
+
+    fn counts(&mut self, basic: &[f64; 8], exposure: &Exposure) -> [u16; 8] {
+        let sensitivity = f64::from(exposure.gain()) * f64::from(exposure.time_ms());
+        basic.map(|value| {
+            let count = value * sensitivity;
+            let shot = count * f64::from(exposure.gain()) / f64::from(NOISE.electrons_per_count);
+            let read = f64::from(NOISE.read_counts).powi(2);
+            let noisy = count + (shot + read).sqrt() * self.dice.normal();
+            noisy.round().clamp(0.0, exposure.full_scale().into()) as u16
+        })
+    }
+
+    fn write(&mut self, label: &str, exposure: &Exposure, atime: u8, astep: u16, counts: &[u16; 8]) {
+        let cells = counts.map(|count| count.to_string()).join(",");
+        // Writing to a String cannot fail.
+        let _ =
+            writeln!(self.text, "{:.7},{label},{},{atime},{astep},{cells}", self.seconds, exposure.gain());
+    }
+}
+
+/// Random numbers that are the same every time.
+struct Dice(u64);
+
+impl Dice {
+    fn even(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Mean 0, variance 1, never beyond 6.
+    fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.even()).sum::<f64>() - 6.0
+    }
+}

@@ -1,0 +1,164 @@
+//! Readings as a table for people.
+
+use crate::failure::printable;
+use crate::output::plot::BLOCKS;
+use crate::sensor::Report;
+use crate::sensor::json;
+use crate::sensor::measure::{Color, Reading, Status};
+use crate::sensor::runs::Run;
+use nanospectra::color::Cct;
+
+/// The table, the runs, the notes.
+pub fn report(report: &Report) -> String {
+    let lux = report.readings.iter().any(|reading| reading.color.as_ref().is_some_and(|c| c.lux.is_some()));
+    let heading = [
+        "line",
+        "label",
+        "exposure",
+        if lux { "lux" } else { "Y (relative)" },
+        "x, y",
+        "CCT",
+        "Duv",
+        "PPFD",
+        "spectrum",
+        "next",
+    ];
+    let rows: Vec<[String; 10]> = report.readings.iter().map(row).collect();
+    let mut text = format!("{}\n", report.setup.chip.title());
+    for said in &report.colors {
+        text += &format!("  {}\n", printable(said));
+    }
+    text += "\n";
+    let all = || std::iter::once(heading.map(str::to_owned)).chain(rows.iter().cloned());
+    // A column that is empty in every row is left out.
+    let widths: [usize; 10] = std::array::from_fn(|k| {
+        let empty = rows.iter().all(|row| row[k].is_empty());
+        if empty { 0 } else { all().map(|row| row[k].chars().count()).max().unwrap_or(0) }
+    });
+    for row in all() {
+        let cells = row.iter().zip(widths).filter(|(_, width)| *width > 0);
+        let line: String = cells.map(|(cell, width)| format!("{cell:<width$}  ")).collect();
+        text += &format!("{}\n", line.trim_end());
+    }
+    for run in &report.runs {
+        text += &flicker(run);
+    }
+    text + &notes(report)
+}
+
+fn row(reading: &Reading) -> [String; 10] {
+    let time = reading.time.as_ref().map(|(text, _)| format!("t={text}"));
+    let label = reading.label.clone().or(time).unwrap_or_default();
+    let next = reading
+        .next
+        .as_ref()
+        .map_or_else(String::new, |next| if next.same { "as it is".into() } else { next.settings.clone() });
+    let mut row = [const { String::new() }; 10];
+    row[0] = reading.line.to_string();
+    row[1] = printable(&label);
+    row[2].clone_from(&reading.settings);
+    row[9] = next;
+    match (&reading.status, &reading.color) {
+        (Status::Ok, Some(color)) => fill(&mut row, color),
+        (Status::Negative, Some(color)) => {
+            let [x, y, z] = color.xyz.to_array().map(significant);
+            row[3] = format!("NEGATIVE: X {x} Y {y} Z {z}");
+        }
+        (Status::Saturated(channels), _) => row[3] = format!("SATURATED: {}", printable(&channels.join(" "))),
+        _ => row[3] = "TOO DARK".into(),
+    }
+    row
+}
+
+fn fill(row: &mut [String; 10], color: &Color) {
+    let (y, uncertainty) = match (color.lux, color.lux_uncertainty) {
+        (Some(lux), Some(uncertainty)) => (lux, uncertainty),
+        _ => (color.xyz.y, color.xyz_uncertainty.y),
+    };
+    row[3] = format!("{} ±{:.2}%", significant(y), 100.0 * uncertainty / y);
+    row[4] = color.xy.map_or_else(String::new, |p| format!("{:.4} {:.4}", p.x, p.y));
+    match (color.cct, color.cct_uncertainty) {
+        (Some(Cct::Near { cct_k, duv }), Some(of)) => {
+            row[5] = format!("{cct_k:.0} ±{:.0} K", of.cct_k.ceil());
+            row[6] = format!("{duv:+.4} ±{:.4}", of.duv);
+        }
+        (Some(Cct::Near { cct_k, duv }), None) => {
+            row[5] = format!("{cct_k:.0} K");
+            row[6] = format!("{duv:+.4}");
+        }
+        (Some(other), _) => row[5] = json::place(other).into(),
+        (None, _) => {}
+    }
+    row[7] = color.ppfd.map_or_else(String::new, significant);
+    row[8] = color.spectrum.as_ref().map_or_else(String::new, |bins| curve(bins));
+}
+
+/// A spectrum as blocks; what is negative is empty.
+fn curve(bins: &[(f32, f32)]) -> String {
+    let top = bins.iter().map(|bin| bin.1).fold(f32::MIN_POSITIVE, f32::max);
+    bins.iter().map(|bin| BLOCKS[(8.0 * bin.1 / top).ceil().clamp(0.0, 8.0) as usize]).collect()
+}
+
+fn flicker(run: &Run) -> String {
+    let name = run.label.as_deref().map_or("all".into(), printable);
+    let (from, to) = run.lines;
+    let mut text = format!("\n{name}: {} readings, lines {from}..{to}", run.readings);
+    match &run.rate_hz {
+        Ok(rate) => text += &format!(", {rate:.1} a second\n"),
+        Err(why) => text += &format!("; flicker cannot be told: {why}\n"),
+    }
+    for at in &run.flicker {
+        text += &match &at.found {
+            Ok((flicker, amplitude)) => format!(
+                "  {} Hz: mean {}, percent flicker {:.1} %, flicker index {:.3}, amplitude {:.3} of the mean \
+                 (readings show {:.1} % of it{})\n",
+                at.frequency_hz,
+                significant(flicker.mean),
+                flicker.percent,
+                flicker.index,
+                amplitude,
+                100.0 * at.shown,
+                at.confused_with_hz
+                    .map_or(String::new(), |hz| format!("; too short a run to tell it from {hz} Hz"))
+            ),
+            Err(why) => format!("  {} Hz: {why}\n", at.frequency_hz),
+        };
+    }
+    text
+}
+
+/// Each note once.
+fn notes(report: &Report) -> String {
+    let mut notes: Vec<String> = Vec::new();
+    for reading in &report.readings {
+        let own = reading.notes.iter().cloned();
+        for (key, text) in json::general(&report.setup, reading).into_iter().chain(own) {
+            let note = format!("{key}: {text}");
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+    }
+    let seen = report.readings.iter().find_map(|reading| reading.color.as_ref()?.spectrum.as_ref());
+    if let Some([first, .., last]) = seen.map(Vec::as_slice) {
+        notes.push(format!("spectrum: {:.0} to {:.0} nm, 10 nm each, the largest full", first.0, last.0));
+    }
+    if notes.is_empty() {
+        return String::new();
+    }
+    let lines: String = notes.iter().map(|note| format!("  {}\n", printable(note))).collect();
+    format!("\nnotes\n{lines}")
+}
+
+/// Five significant digits; plain where that is readable.
+fn significant(value: f32) -> String {
+    let size = value.abs();
+    if size == 0.0 || !size.is_finite() {
+        return value.to_string();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return format!("{value:.4e}");
+    }
+    let before = size.log10().floor() as i32;
+    format!("{value:.*}", (4 - before).clamp(0, 7) as usize)
+}

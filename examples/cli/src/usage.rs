@@ -1,0 +1,45 @@
+//! What clap says about a command line, as this program says it.
+
+use crate::failure::{Failure, short};
+use clap::ValueEnum;
+use clap::error::{ContextKind, ContextValue, Error};
+
+/// A failure of `program` on one line. Help and version come as errors too: they are printed and end here.
+pub fn refused(program: &str, error: &Error) -> Failure {
+    if !error.use_stderr() {
+        error.exit();
+    }
+    let mut message = error.to_string();
+    for kind in [ContextKind::InvalidArg, ContextKind::InvalidValue] {
+        if let Some(ContextValue::String(word)) = error.get(kind) {
+            message = message.replace(word.as_str(), &short(word));
+        }
+    }
+    Failure::of(program, one_line(&message))
+}
+
+/// The word of the command line that an error is about, shortened.
+pub fn context(error: &Error, kind: ContextKind) -> Option<String> {
+    match error.get(kind) {
+        Some(ContextValue::String(word)) => Some(short(word)),
+        _ => None,
+    }
+}
+
+/// The name an option's value has on the command line.
+pub fn name_of(value: impl ValueEnum) -> String {
+    value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+/// clap's message without its headings and usage, on one line.
+fn one_line(message: &str) -> String {
+    let said = message
+        .lines()
+        .map(str::trim)
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
+        .filter(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+        .replace(" tip:", "; tip:");
+    format!("{}; see --help", said.trim_start_matches("error: "))
+}

@@ -1,0 +1,14 @@
+//! The program as a user runs it: what each command reads, answers and refuses.
+
+mod measure;
+mod measure_refuses;
+mod paint;
+mod paint_refuses;
+mod program;
+mod run;
+mod scene;
+mod scene_refuses;
+mod scene_says;
+mod sensor;
+mod sensor_log;
+mod sensor_refuses;

@@ -1,0 +1,384 @@
+//! The command measure from outside: what it reads, prints, and refuses.
+
+use crate::run::*;
+use serde_json::Value;
+use std::fs;
+
+const MEASURE: Program = Program("measure", module_path!());
+
+/// In the order of the documentation; more may follow.
+const KEYS: [&str; 21] = [
+    "name",
+    "XYZ",
+    "xy",
+    "uv1960",
+    "uv1976",
+    "cct_k",
+    "duv",
+    "lux",
+    "ler_lm_per_w",
+    "lab",
+    "srgb",
+    "hex",
+    "dominant_wavelength_nm",
+    "purity",
+    "cri_ra",
+    "cri_r",
+    "tm30_rf",
+    "tm30_rg",
+    "melanopic_edi_ratio",
+    "ppfd",
+    "notes",
+];
+
+/// The reading of one column of a file below `tables/`.
+fn table(file: &str, name: &str, arguments: &[&str]) -> Value {
+    let path = format!("tables/{file}.csv");
+    let readings = MEASURE.json(&[&[path.as_str()], arguments].concat());
+    readings.into_iter().find(|reading| reading["name"] == name).expect("the table has the column")
+}
+
+fn notes(reading: &Value) -> Vec<&str> {
+    reading["notes"].as_array().expect("notes").iter().filter_map(Value::as_str).collect()
+}
+
+fn has_note(reading: &Value, key: &str, word: &str) -> bool {
+    let start = format!("{key}: ");
+    notes(reading).iter().any(|note| note.starts_with(&start) && note.contains(word))
+}
+
+#[test]
+fn without_files_it_reports_the_lamp_it_brings() {
+    let readings = MEASURE.json(&[]);
+    assert_eq!(readings.len(), 1);
+    // CIE L41 by an f64 model of the same rule.
+    assert_all_near(&readings[0]["XYZ"], &[100.890778, 100.0, 67.717730], 1e-4);
+    assert_near(&readings[0]["cct_k"], 4102.8048, 0.5);
+    assert_near(&readings[0]["duv"], -0.00065980, 1e-6);
+    assert_near(&readings[0]["ler_lm_per_w"], 316.208166, 3e-4);
+}
+
+#[test]
+fn keys_stand_in_order_and_every_null_has_a_note_with_its_key() {
+    let lamp = &MEASURE.json(&[])[0];
+    let surface = &MEASURE.json_with("400 0.1\n700 0.9\n", &["--reflectance", "-"])[0];
+    for reading in [lamp, surface] {
+        let keys: Vec<&str> = reading.as_object().expect("an object").keys().map(String::as_str).collect();
+        assert_eq!(keys[..KEYS.len()], KEYS);
+        for key in keys {
+            assert!(!reading[key].is_null() || has_note(reading, key, ""), "{key} is null without a note");
+        }
+    }
+    let nulls = |reading: &Value| KEYS.into_iter().filter(|key| reading[key].is_null()).collect::<Vec<_>>();
+    assert_eq!(nulls(lamp), ["lux", "lab", "ppfd"]);
+    assert!(has_note(lamp, "delta_e2000", "surface") && has_note(lamp, "srgb", "Y = 1"));
+    let of_the_light = [
+        "cct_k",
+        "duv",
+        "lux",
+        "ler_lm_per_w",
+        "cri_ra",
+        "cri_r",
+        "tm30_rf",
+        "tm30_rg",
+        "melanopic_edi_ratio",
+        "ppfd",
+    ];
+    assert_eq!(nulls(surface), of_the_light);
+    assert_eq!(surface["light"], "D65");
+    assert_eq!([&lamp["observer"], &lamp["interpolation"], &lamp["unit"]], ["1931", "linear", "relative"]);
+}
+
+/// X, Z (Y = 100), CCT, Duv, LER: an f64 model of the reference rule on the same tables.
+#[test]
+fn standard_illuminants_have_their_values() {
+    let expected = [
+        ("illuminants/D65_1nm", "D65", [95.0470559, 108.8828736], [6502.71210, 0.003205545], 184.1735541),
+        ("illuminants/A_1nm", "A", [109.8503153, 35.5849301], [2855.54269, 0.0], 122.6653775),
+        ("illuminants/FL_5nm", "FL11", [100.8994576, 64.2639988], [4000.72873, 0.000154698], 336.8016224),
+        ("illuminants/FL_5nm", "FL4", [109.1480781, 38.8131880], [2939.56655, -0.000740443], 370.3363184),
+        ("illuminants/LED_5nm", "LED-B3", [100.8618895, 67.6339401], [4102.49576, -0.000600741], 316.8680626),
+    ];
+    for (file, name, [x, z], [cct_k, duv], ler) in expected {
+        let reading = table(file, name, &[]);
+        assert_all_near(&reading["XYZ"], &[x, 100.0, z], 1e-4);
+        // 0.01 mired.
+        assert_near(&reading["cct_k"], cct_k, cct_k * cct_k * 1e-8);
+        assert_near(&reading["duv"], duv, 1e-6);
+        assert_near(&reading["ler_lm_per_w"], ler, ler * 1e-6);
+    }
+}
+
+/// goldens/03_cri.csv, 03_tm30.csv (1 nm by Sprague) and 07_photometry_sources.csv.
+#[test]
+fn rendering_and_the_melanopic_ratio_follow_the_goldens() {
+    let expected = [
+        ("illuminants/D65_1nm", "D65", [99.998897, 99.996847, 99.999875], 1.0),
+        ("illuminants/A_1nm", "A", [99.999954, 100.000051, 99.999934], 0.495745331),
+        ("illuminants/FL_5nm", "FL4", [51.352457, 56.699733, 83.490979], 0.314957209),
+    ];
+    for (file, name, [ra, rf, rg], ratio) in expected {
+        let reading = table(file, name, &["--interpolation", "sprague"]);
+        assert_near(&reading["cri_ra"], ra, 2e-3);
+        assert_near(&reading["tm30_rf"], rf, 2e-3);
+        assert_near(&reading["tm30_rg"], rg, 2e-3);
+        assert_near(&reading["melanopic_edi_ratio"], ratio, 1e-6);
+        assert_eq!(numbers(&reading["cri_r"]).len(), 15);
+    }
+}
+
+/// goldens/01_xyz_sources.csv: D65 by the 10 degree observer; what is defined for 2 degrees stays.
+#[test]
+fn another_observer_changes_the_chromaticity_but_not_the_colour_temperature() {
+    let wide = table("illuminants/D65_1nm", "D65", &["--observer", "1964"]);
+    let usual = table("illuminants/D65_1nm", "D65", &[]);
+    assert_all_near(&wide["XYZ"], &[94.8110600624, 100.0, 107.304669543], 1e-4);
+    assert_all_near(&wide["xy"], &[0.313823646939, 0.33099898549], 1e-6);
+    for key in ["cct_k", "duv", "cri_ra", "tm30_rf", "ler_lm_per_w"] {
+        assert_eq!(wide[key], usual[key]);
+    }
+    assert!(has_note(&wide, "observer", "1931"));
+    for observer in ["2015-2", "2015-10"] {
+        assert_eq!(table("illuminants/D65_1nm", "D65", &["--observer", observer])["observer"], observer);
+    }
+}
+
+/// goldens/04_reflectance_colorimetry.csv: test colour sample 1, everything by Sprague.
+#[test]
+fn a_surface_has_the_colours_of_the_goldens() {
+    let expected = [
+        (
+            "D65",
+            [32.9934740625, 29.7837492677, 24.5129039112],
+            [61.4671856, 17.4881313, 11.8964803],
+            [0.72815864, 0.53624894, 0.50291716],
+        ),
+        (
+            "A",
+            [42.343049605, 32.7126226392, 7.970592307],
+            [63.9275395, 19.3692905, 16.3447383],
+            [0.75618515, 0.54562873, 0.49955131],
+        ),
+        (
+            "FL11",
+            [37.0655756901, 31.0878185072, 14.5778815321],
+            [62.5816973, 19.3038507, 13.5673479],
+            [0.74150729, 0.53944372, 0.50382517],
+        ),
+    ];
+    for (light, xyz, lab, srgb) in expected {
+        let options = ["--reflectance", "--light", light, "--interpolation", "sprague"];
+        let reading = table("samples/cri_tcs14_5nm", "TCS01", &options);
+        assert_all_near(&reading["XYZ"], &xyz, 5e-5);
+        assert_all_near(&reading["lab"], &lab, 2e-4);
+        assert_all_near(&reading["srgb"], &srgb, 4e-6);
+        assert_eq!(reading["light"], light);
+    }
+}
+
+#[test]
+fn perfect_white_is_white_under_every_light_and_observer() {
+    for light in ["D65", "a", "fl3.1", "LED-B1", "E", "HP1", "FL11_1nm"] {
+        for observer in ["1931", "1964", "2015-2", "2015-10"] {
+            let options = ["--reflectance", "--light", light, "--observer", observer, "-"];
+            let reading = &MEASURE.json_with("400,1\n700,1\n", &options)[0];
+            assert_near(&reading["XYZ"][1], 100.0, 1e-4);
+            assert_all_near(&reading["lab"], &[100.0, 0.0, 0.0], 2e-4);
+            assert_near(&reading["delta_e2000"], 0.0, 3e-4);
+            assert_eq!(reading["hex"], "#ffffff", "{light} {observer}");
+            assert!(reading["dominant_wavelength_nm"].is_null());
+        }
+    }
+}
+
+#[test]
+fn black_is_a_colour_of_surfaces() {
+    let reading = &MEASURE.json_with("400,0\n700,0\n", &["--reflectance", "-"])[0];
+    assert_all_near(&reading["lab"], &[0.0, 0.0, 0.0], 0.0);
+    assert_eq!(reading["hex"], "#000000");
+    assert!(reading["xy"].is_null() && has_note(reading, "xy", "black"));
+    assert_near(&reading["delta_e2000"], 100.0, 1e-4);
+}
+
+#[test]
+fn a_light_may_come_from_a_file() {
+    let file = "tables/illuminants/A_1nm.csv";
+    let by_file = &MEASURE.json_with("400 .2\n700 .8\n", &["--reflectance", "--light", file, "-"])[0];
+    let by_name = &MEASURE.json_with("400 .2\n700 .8\n", &["--reflectance", "--light", "A", "-"])[0];
+    assert_eq!(by_file["XYZ"], by_name["XYZ"]);
+    assert_eq!(by_file["light"], "A");
+}
+
+#[test]
+fn absolute_input_has_lux_and_photons() {
+    let flat = "360 0.01\n830 0.01\n";
+    let reading = &MEASURE.json_with(flat, &["--unit", "absolute", "-"])[0];
+    // 683.002 times 0.01 times the sum of V(lambda), 106.856895 (CIE 018).
+    assert_near(&reading["lux"], 729.83473, 1e-3);
+    assert_near(&reading["XYZ"][1], 729.83473, 1e-3);
+    // Sum of the wavelengths 400..=700 over h c N_A.
+    assert_near(&reading["ppfd"], 0.01 * 550.0 * 301.0 / 119.626_565_8, 1e-4);
+    assert_eq!(reading["unit"], "absolute");
+}
+
+#[test]
+fn strength_changes_nothing_but_the_absolute_numbers() {
+    let scaled = |power: &str| {
+        format!("400 1{power}\n450 5{power}\n500 2{power}\n550 3{power}\n600 4{power}\n700 1{power}\n")
+    };
+    let usual = &MEASURE.json_with(&scaled("e0"), &["--unit", "absolute", "-"])[0];
+    for (power, factor) in [("e-300", 1e-300), ("e-40", 1e-40), ("e12", 1e12), ("e290", 1e290)] {
+        let reading = &MEASURE.json_with(&scaled(power), &["--unit", "absolute", "-"])[0];
+        assert_near(&reading["lux"], number(&usual["lux"]) * factor, number(&usual["lux"]) * factor * 1e-6);
+        for key in ["cct_k", "cri_ra", "tm30_rg", "ler_lm_per_w", "melanopic_edi_ratio"] {
+            assert_near(&reading[key], number(&usual[key]), number(&usual[key]) * 2e-6);
+        }
+    }
+}
+
+#[test]
+fn separators_line_ends_and_comments_make_no_difference() {
+    let wanted = &MEASURE.json_with("nm,lamp\n400,1\n500,2.5\n700,0.5\n", &["-"])[0];
+    let variants = [
+        "nm;lamp\n400;1\n500;2.5\n700;0.5\n",
+        "nm\tlamp\n400\t1\n500\t2.5\n700\t0.5",
+        "nm lamp\n  400   1\n500 2.5\n700\t0.5\n",
+        "nm,lamp\r\n400,1\r\n500,2.5\r\n700,0.5\r\n",
+        "\u{feff}nm,lamp\n400,1\n500,2.5\n700,0.5\n",
+        "# a lamp, measured\n\nnm, \"lamp\"\n# here it begins\n400 , 1\n\n5e2 , 25E-1\n7.0e+2 , .5\n",
+        "\"wave length\"   lamp\n400 1\n500 2.5\n700 .5\n",
+        "\"nm\"\t \"lamp\" \n400\t1\n500\t2.5\n700\t.5\n",
+        "\"nm\",\"lamp\"\n\"400\",\"1\"\n\"500\",\"2.5\"\n\"700\",\"0.5\"\n",
+    ];
+    for variant in variants {
+        assert_eq!(&MEASURE.json_with(variant, &["-"])[0], wanted, "{variant:?}");
+    }
+}
+
+#[test]
+fn spectra_are_named_by_the_heading_or_else_by_the_file() {
+    let names = |input: &str, arguments: &[&str]| -> Vec<String> {
+        MEASURE
+            .json_with(input, arguments)
+            .iter()
+            .map(|r| r["name"].as_str().unwrap_or("").to_owned())
+            .collect()
+    };
+    assert_eq!(names("nm,\"a, b\",\"say \"\"c\"\"\"\n400,1,2\n500,1,2\n", &["-"]), ["a, b", "say \"c\""]);
+    assert_eq!(names("nm;a b;\n400;1;2\n500;1;2\n", &["-"]), ["a b", "stdin:2"]);
+    assert_eq!(names("400 1 2\n500 1 2\n", &["-"]), ["stdin:1", "stdin:2"]);
+    assert_eq!(names("400 1\n500 2\n", &["-"]), ["stdin"]);
+    let directory = MEASURE.scratch("names");
+    let (one, two) = (directory.join("lamp.one.csv"), directory.join("two.txt"));
+    fs::write(&one, "400 1\n500 1\n").expect("written");
+    fs::write(&two, "400 1 1\n500 1 2\n").expect("written");
+    let files = [one.to_str().expect("UTF-8"), two.to_str().expect("UTF-8")];
+    assert_eq!(names("", &files), ["lamp.one", "two:1", "two:2"]);
+}
+
+#[test]
+fn notes_say_how_the_samples_were_used() {
+    let reading = |input: &str| MEASURE.json_with(input, &["-"]).remove(0);
+    assert!(has_note(&reading("400 1\n700 1\n"), "data", "400..700 nm; what is outside counts as zero"));
+    assert!(has_note(&reading("300 1\n500 1\n900 1\n"), "data", "2 samples outside 360..830"));
+    assert!(has_note(&reading("400 1\n500 -0.5\n600 3\n"), "data", "1 negative"));
+    // 499.9 is read for 499 nm, 500.1 for 500 and 501, 500.3 and 500.5 by none, 500.7 for 501.
+    let fine = reading("499.9 1\n500.1 1\n500.3 1\n500.5 1\n500.7 1\n501.2 1\n");
+    assert!(has_note(&fine, "data", "2 of 6 samples"), "{:?}", notes(&fine));
+    assert!(notes(&table("illuminants/L41_1nm", "L41", &[])).iter().all(|note| !note.starts_with("data")));
+}
+
+#[test]
+fn what_is_no_white_has_no_colour_temperature() {
+    let green = &MEASURE.json_with("nm,laser\n531,0\n532,1\n533,0\n", &["-"])[0];
+    for key in ["cct_k", "duv", "cri_ra", "cri_r", "tm30_rf", "tm30_rg"] {
+        assert!(green[key].is_null() && has_note(green, key, ""), "{key}");
+    }
+    assert_near(&green["dominant_wavelength_nm"], 532.0, 0.01);
+    assert_near(&green["purity"], 1.0, 1e-5);
+    let magenta = &MEASURE.json_with("440 1\n450 0\n640 0\n650 1\n", &["-"])[0];
+    assert!(number(&magenta["dominant_wavelength_nm"]) < 0.0);
+}
+
+#[test]
+fn a_comparison_is_this_minus_the_other() {
+    let warm = ["tables/illuminants/A_1nm.csv", "--compare", "tables/illuminants/D65_1nm.csv"];
+    let difference = &MEASURE.json(&warm)[0]["compare"];
+    assert_eq!(difference["to"], "D65");
+    assert_near(&difference["delta_cct_k"], 2855.5427 - 6502.7121, 0.5);
+    assert_all_near(&difference["delta_xy"], &[0.447573514 - 0.312726871, 0.407439444 - 0.329023207], 1e-6);
+    assert_near(&difference["delta_duv"], -0.003205545, 1e-6);
+    let same = ["tables/illuminants/A_1nm.csv", "--compare", "tables/illuminants/A_1nm.csv"];
+    let nothing = &MEASURE.json(&same)[0]["compare"];
+    for (key, value) in
+        [("delta_uv1976", 0.0), ("delta_tm30_rf", 0.0), ("spectral_rms", 0.0), ("y_ratio", 1.0)]
+    {
+        assert_near(&nothing[key], value, 0.0);
+    }
+    let directory = MEASURE.scratch("compare");
+    let grey = directory.join("grey.csv");
+    fs::write(&grey, "400 0.4\n700 0.4\n").expect("written");
+    let options = ["--reflectance", "--compare", grey.to_str().expect("UTF-8"), "-"];
+    let surfaces = &MEASURE.json_with("400 0.5\n700 0.5\n", &options)[0]["compare"];
+    assert_near(&surfaces["y_ratio"], 1.25, 1e-6);
+    assert_near(&surfaces["spectral_rms"], 0.1, 1e-6);
+    // L* of Y = 50 and 40: 76.0693 and 69.4695.
+    assert_all_near(&surfaces["delta_lab"], &[6.5998, 0.0, 0.0], 2e-4);
+    assert_near(&surfaces["delta_e76"], 6.5998, 2e-4);
+}
+
+#[test]
+fn pictures_have_safe_and_different_names() {
+    let directory = MEASURE.scratch("pictures");
+    let pictures = directory.join("made/here");
+    let input = "nm,a/b,A_B,<&>,..\n400,1,2,3,1\n500,2,1,1,1\n600,1,1,2,1\n";
+    let outcome = MEASURE.run_with(input, &["-", "--svg", pictures.to_str().expect("UTF-8")]);
+    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    let mut names: Vec<String> = fs::read_dir(&pictures)
+        .expect("the directory was made")
+        .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
+        .collect();
+    names.sort();
+    assert_eq!(names, ["A_B-2.svg", "___.svg", "a_b.svg", "spectrum.svg"]);
+    for name in names {
+        let text = fs::read_to_string(pictures.join(name)).expect("a text");
+        assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
+        assert!(!text.contains("<&>") && !text.contains("NaN"));
+    }
+}
+
+#[test]
+fn a_piped_report_is_plain_text_whatever_the_names_hold() {
+    for arguments in [&["-"][..], &["-", "--json"], &["-", "--reflectance"]] {
+        let outcome = MEASURE.run_with("nm,\"\u{1b}[31mred\u{7}\"\n400,1\n700,0.5\n", arguments);
+        assert_eq!(outcome.code, Some(0));
+        assert!(outcome.out.chars().all(|c| c == '\n' || !c.is_control()), "{:?}", outcome.out);
+        assert_eq!(outcome.err, "");
+    }
+}
+
+#[test]
+fn wavelengths_that_f32_would_round_are_read_as_they_are() {
+    let line = "nm,v\n545.3,0\n545.7,.3\n546.1,1\n546.5,.3\n546.9,0\n";
+    let found = &MEASURE.json_with(line, &["-", "--unit", "absolute"])[0];
+    // By the rule in f64: 546 nm reads 0.825 and nothing else is on a whole nanometre.
+    for (value, expected) in numbers(&found["XYZ"]).into_iter().zip([210.787_543, 554.513_089, 6.934_837]) {
+        assert!((value / expected - 1.0).abs() < 3e-7, "{value} for {expected}");
+    }
+}
+
+#[test]
+fn sprague_reads_such_wavelengths_as_the_model_does() {
+    let lamp = model::tables::source("FL11");
+    let shifted = model::interpolation::Samples::new(380.1, 5.0, lamp.values.clone());
+    let lines: String = shifted.points().iter().map(|(nm, value)| format!("{nm:.1} {value}\n")).collect();
+    let found = &MEASURE.json_with(&lines, &["-", "--interpolation", "sprague"])[0];
+    let (expected, _) = model::tristimulus::xyz_of_light(
+        &shifted,
+        model::tables::Observer::Cie1931,
+        model::tristimulus::Method::SpragueZero,
+    );
+    for (value, expected) in numbers(&found["XYZ"]).into_iter().zip(expected) {
+        assert!((value / expected - 1.0).abs() < 5e-7, "{value} for {expected}");
+    }
+}

@@ -1,0 +1,376 @@
+//! The command paint from outside: what it answers, in which order, and what it draws.
+
+use crate::run::{Program, assert_all_near, assert_near, number, numbers};
+use model::fold::{EqualBins, Reconstruction, on_cie_nodes, weights};
+use model::interpolation::{Interpolation::Linear, Outside::Zero};
+use model::{linear, rgb, tables, transfer};
+use nanospectra::color::{EncodedRgb, Srgb};
+use nanospectra::upsample::{Sigmoid, SmitsBins, Viewing};
+use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance, light::D65, observer::CIE_1931};
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::process::Stdio;
+
+const PAINT: Program = Program("paint", module_path!());
+
+const KEYS: [&str; 12] = [
+    "rgb",
+    "space",
+    "method",
+    "status",
+    "wavelengths_nm",
+    "spectrum",
+    "roundtrip_rgb",
+    "delta_e2000",
+    "linear",
+    "grid",
+    "beyond",
+    "lights",
+];
+
+/// XYZ of an answer's spectrum and of white under a light, Y = 100, by the f64 model.
+fn seen(answer: &Value, light: &str) -> ([f64; 3], [f64; 3]) {
+    let grid = answer["grid"].as_str().expect("a grid");
+    let (layout, sizes) = grid.split_once(':').expect("LAYOUT:N,FROM,TO");
+    let sizes: Vec<f64> = sizes.split(',').map(|size| size.parse().expect("a number")).collect();
+    let [count, from, to] = sizes[..] else { panic!("{grid}") };
+    let half = if layout == "nodes" { (to - from) / (count - 1.0) / 2.0 } else { 0.0 };
+    let bins = EqualBins { low: from - half, high: to + half, count: count as usize };
+    for (k, nm) in numbers(&answer["wavelengths_nm"]).into_iter().enumerate() {
+        assert!((nm - (bins.edge(k) + bins.edge(k + 1)) / 2.0).abs() < 1e-4, "{grid}: {nm}");
+    }
+    let power = tables::source(light).on_cie_grid(Linear, Zero);
+    let eye = tables::Observer::Cie1931.on_cie_grid().map(|row| {
+        let lit: Vec<f64> = row.iter().zip(&power).map(|(weight, power)| weight * power).collect();
+        weights(&on_cie_nodes(&lit), bins, Reconstruction::Step)
+    });
+    let k = 100.0 / eye[1].iter().sum::<f64>();
+    let shares = numbers(&answer["spectrum"]);
+    let dot = |row: &Vec<f64>| k * row.iter().zip(&shares).map(|(w, s)| w * s).sum::<f64>();
+    ([dot(&eye[0]), dot(&eye[1]), dot(&eye[2])], eye.map(|row| k * row.iter().sum::<f64>()))
+}
+
+/// A transfer function below zero: that of the size, with the sign.
+fn odd(curve: fn(f64) -> f64, value: f64) -> f64 {
+    curve(value.abs()).copysign(value)
+}
+
+/// Holds everything an answer says about its spectrum to the model.
+fn assert_follows_the_model(answer: &Value) {
+    for light in answer["lights"].as_array().expect("lights") {
+        let (xyz, white) = seen(answer, light["name"].as_str().expect("a name"));
+        assert_all_near(&light["XYZ"], &xyz, 1e-4);
+        assert_all_near(&light["lab"], &model::lab::lab(xyz, white), 4e-4);
+    }
+    type Code = fn(f64) -> f64;
+    let (space, encode, decode): (_, Code, Code) = match answer["space"].as_str() {
+        Some("srgb") => ("sRGB", transfer::srgb_encode, transfer::srgb_decode),
+        Some("p3") => ("Display P3", transfer::srgb_encode, transfer::srgb_decode),
+        Some("adobe") => ("Adobe RGB (1998)", transfer::adobe_encode, transfer::adobe_decode),
+        other => panic!("{other:?}"),
+    };
+    let (xyz, white) = seen(answer, "D65");
+    let sum: f64 = white.iter().sum();
+    // The white of the matrix is that of the sums.
+    let space = rgb::RgbSpace { white: [white[0] / sum, white[1] / sum], ..*rgb::named(space) };
+    let is_linear = answer["linear"] == true;
+    let back = linear::apply(space.xyz_to_rgb(), xyz.map(|value| value / 100.0));
+    let back = if is_linear { back } else { back.map(|value| odd(encode, value)) };
+    assert_all_near(&answer["roundtrip_rgb"], &back, 1e-5);
+    let asked: Vec<f64> = numbers(&answer["rgb"]);
+    let asked = if is_linear { asked } else { asked.into_iter().map(|code| odd(decode, code)).collect() };
+    let asked = linear::apply(space.rgb_to_xyz(), [asked[0], asked[1], asked[2]]).map(|value| 100.0 * value);
+    let off = model::delta_e::de2000(model::lab::lab(asked, white), model::lab::lab(xyz, white));
+    assert_near(&answer["delta_e2000"], off, 1e-4 + 1e-5 * off);
+}
+
+const COLORS: &str = "0.8 0.2 0.1\n0.05 0.3 0.6\n0.5 0.5 0.5\n0.9 0.95 0.3\n0 0 0\n1 1 1\n0.02 0.01 0.03\n";
+
+#[test]
+fn every_method_space_and_grid_says_what_an_f64_model_finds() {
+    for method in ["sigmoid", "basis", "smits"] {
+        for space in ["srgb", "p3", "adobe"] {
+            let options = ["--method", method, "--space", space, "--light", "A,FL11,LED-B3", "-"];
+            for answer in PAINT.json_with(COLORS, &options) {
+                assert_follows_the_model(&answer);
+            }
+        }
+    }
+    let grids = [
+        "nodes:31,400,700",
+        "nodes:36,380,730",
+        "nodes:81,380,780",
+        "bins:16,380,730",
+        "bins:31,380,730",
+        "bins:36,380,730",
+        "bins:60,380,730",
+        "bins:60,400,700",
+    ];
+    for grid in grids {
+        for answer in PAINT.json_with(COLORS, &["--grid", grid, "--linear", "-"]) {
+            assert_eq!(answer["grid"], grid);
+            assert_eq!(answer["status"], "exact");
+            assert!(number(&answer["delta_e2000"]) <= 0.002, "{answer}");
+            assert_all_near(&answer["roundtrip_rgb"], &numbers(&answer["rgb"]), 2e-5);
+            assert_follows_the_model(&answer);
+        }
+    }
+}
+
+#[test]
+fn a_spectrum_has_the_bits_that_the_library_gives() {
+    let light = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let viewing: Viewing<31, Nodes<400, 700>> = Viewing::new(&CIE_1931.under(&light).fold(Curve::Step));
+    let sigmoid = Sigmoid::<31, _>::new(&viewing);
+    let rgb = EncodedRgb::<Srgb>::new(0.8, 0.2, 0.1).decode();
+    let expected: Reflectance<31, Nodes<400, 700>> = sigmoid.reflectance(rgb).spectrum.on_grid();
+    let answer = &PAINT.json(&["0.8,0.2,0.1", "--grid", "nodes:31,400,700"])[0];
+    let found: Vec<f32> = numbers(&answer["spectrum"]).into_iter().map(|share| share as f32).collect();
+    assert_eq!(found, expected.values());
+    assert_eq!(number(&answer["delta_e2000"]) as f32, viewing.delta_e(rgb, &expected));
+    // Smits on grids other than his: his bins, averaged; the last bin of 380..730 is his last step.
+    let red = SmitsBins::new().reflectance(rgb);
+    let answer = &PAINT.json(&["0.8,0.2,0.1", "--method", "smits", "--grid", "bins:36,380,730"])[0];
+    assert_near(&answer["spectrum"][35], f64::from(red.values()[9]), 1e-7);
+    assert_eq!(answer["status"], "approximate");
+}
+
+#[test]
+fn keys_stand_in_order_and_grays_are_flat() {
+    let answer = &PAINT.json(&["0.5,0.5,0.5", "--linear"])[0];
+    let keys: Vec<&str> = answer.as_object().expect("an object").keys().map(String::as_str).collect();
+    assert_eq!(keys, KEYS);
+    assert!(numbers(&answer["spectrum"]).iter().all(|share| *share == 0.5));
+    assert_eq!(numbers(&answer["wavelengths_nm"])[..2], [380.0, 385.0]);
+    let lights = answer["lights"].as_array().expect("lights");
+    let names: Vec<&str> = lights.iter().filter_map(|light| light["name"].as_str()).collect();
+    assert_eq!(names, ["D65", "A", "FL11"]);
+    // A gray is that gray under every light.
+    assert!(lights.iter().all(|light| light["hex"] == "#bcbcbc"), "{lights:?}");
+    let aces = &PAINT.json(&["0.5,0.5,0.5", "--space", "acescg", "--light", "fl3.1"])[0];
+    assert_eq!((&aces["lights"][0]["name"], &aces["lights"][1]["name"]), (&"D60".into(), &"FL3.1".into()));
+}
+
+#[test]
+fn answers_stand_in_the_order_of_the_colors() {
+    let rgb = |answers: &[Value]| -> Vec<Vec<f64>> { answers.iter().map(|a| numbers(&a["rgb"])).collect() };
+    let arguments = ["0,0,0", "--rgb", "#f00", "-", "--rgb", "1,1,1", "0.5 0.25 0"];
+    let found = rgb(&PAINT.json_with("0.1 0.2 0.3\n0.4,0.5,0.6\n", &arguments));
+    let expected = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.1, 0.2, 0.3],
+        [0.4, 0.5, 0.6],
+        [1.0, 1.0, 1.0],
+        [0.5, 0.25, 0.0],
+    ];
+    assert_eq!(found, expected);
+    let many: String = (0..500).map(|k| format!("{} 0.5 0.25\n", f64::from(k) / 1000.0)).collect();
+    let found = rgb(&PAINT.json_with(&many, &["--rgb", "-", "--grid", "bins:16,380,730"]));
+    assert_eq!(found.len(), 500);
+    assert!(found.iter().enumerate().all(|(k, rgb)| rgb[0] == k as f64 / 1000.0));
+}
+
+#[test]
+fn spellings_of_a_color_make_no_difference() {
+    let wanted = PAINT.json(&["0.8,0.2,0.4"]).remove(0);
+    let variants = [
+        "0.8 0.2 0.4",
+        "  .8\t2e-1   +0.4\r\n",
+        "\u{feff}0.8, 0.2, 0.4\r\n\r\n",
+        "# a comment\n#\n0.8;0.2;0.4 # and another\n",
+        "#cc3366",
+        "#CC3366\t# raspberry",
+        "#c36\n",
+    ];
+    for variant in variants {
+        let found = PAINT.json_with(variant, &["-"]);
+        assert_eq!(found.len(), 1, "{variant:?}");
+        assert_all_near(&found[0]["rgb"], &[0.8, 0.2, 0.4], 1e-7);
+        assert_all_near(&found[0]["spectrum"], &numbers(&wanted["spectrum"]), 1e-6);
+    }
+    // A code is encoded even where numbers are linear.
+    let linear = &PAINT.json(&["#cc3366", "--linear"])[0];
+    let expected = [0.8, 0.2, 0.4].map(transfer::srgb_decode);
+    assert_all_near(&linear["rgb"], &expected, 1e-6);
+    assert_all_near(&linear["spectrum"], &numbers(&wanted["spectrum"]), 1e-6);
+}
+
+#[test]
+fn what_no_surface_has_is_answered_with_a_status() {
+    let status =
+        |arguments: &[&str]| PAINT.json(arguments)[0]["status"].as_str().expect("a status").to_owned();
+    assert_eq!(status(&["--rgb", "-0.1,0.4,0.4"]), "exact");
+    assert_eq!(status(&["2,3,4"]), "unreachable");
+    assert_eq!(status(&["--rgb=-0.2,0,-0.1"]), "unreachable");
+    assert_eq!(status(&["--", "-0.1,0.4,0.4"]), "exact");
+    assert_eq!(status(&["0,1,0", "--space", "bt2020"]), "unreachable");
+    assert_eq!(status(&["0,1,0", "--space", "p3", "--method", "basis"]), "unphysical");
+    let bright = &PAINT.json(&["2,3,4"])[0];
+    assert!(numbers(&bright["spectrum"]).iter().all(|share| *share == 1.0));
+    assert!(number(&bright["delta_e2000"]) > 10.0);
+    let outcome = PAINT.run(&["1e20,1e30,-1e38", "--linear"]);
+    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn a_color_out_of_reach_comes_near_or_is_desaturated() {
+    let green = ["0,1,0", "--space", "p3", "--linear"];
+    let with = |beyond: &str| PAINT.json(&[&green[..], &["--beyond", beyond]].concat()).remove(0);
+    let (near, less) = (with("nearest"), with("desaturate"));
+    assert_eq!(near, PAINT.json(&green)[0]);
+    assert_eq!([&near["status"], &near["beyond"]], ["unreachable", "nearest"]);
+    assert_eq!([&less["status"], &less["beyond"]], ["desaturated", "desaturate"]);
+    assert!(near.get("kept").is_none());
+    for answer in [&near, &less] {
+        assert_follows_the_model(answer);
+    }
+    // So far from the grey of its luminance, and hardly further.
+    let (kept, y) = (number(&less["kept"]), rgb::named("Display P3").rgb_to_xyz()[1][1]);
+    let mixed = |kept: f64| [y - kept * y, y + kept * (1.0 - y), y - kept * y];
+    assert_all_near(&less["roundtrip_rgb"], &mixed(kept), 1e-4);
+    let further = mixed(kept + 0.005).map(|share| share.to_string()).join(",");
+    assert_eq!(PAINT.json(&[&further, "--space", "p3", "--linear"])[0]["status"], "unreachable");
+    assert!(number(&less["delta_e2000"]) > 0.1);
+    // What is within reach is the same either way, and the other methods reach everything.
+    let teal = |beyond| PAINT.json(&["0.1,0.5,0.4", "--beyond", beyond]).remove(0);
+    assert_eq!(teal("desaturate")["spectrum"], teal("damp")["spectrum"]);
+    assert_eq!(teal("desaturate")["status"], "exact");
+    assert!(PAINT.json(&["0,0,0", "--method", "basis"])[0]["beyond"].is_null());
+    let said = |beyond| PAINT.run(&[&green[..], &["--beyond", beyond]].concat()).out;
+    assert!(said("nearest").contains("unreachable (nearest), CIEDE2000"));
+    assert!(said("desaturate").contains(&format!("desaturated (desaturate: {:.1} %", 100.0 * kept)));
+}
+
+#[test]
+fn a_light_is_shown_once() {
+    let names = |lights: &str| -> Vec<String> {
+        let answer = PAINT.json(&["#c31", "--light", lights]).remove(0);
+        let looks = answer["lights"].as_array().expect("lights").iter();
+        looks.map(|look| look["name"].as_str().expect("a name").to_owned()).collect()
+    };
+    assert_eq!(names("D65,D65"), ["D65"]);
+    assert_eq!(names("a, FL11,d65,A"), ["D65", "A", "FL11"]);
+    assert_eq!(PAINT.run(&["#c31", "--light", "D65,A,A"]).out.matches("under A ").count(), 1);
+}
+
+#[test]
+fn a_space_is_decoded_by_the_function_that_help_names() {
+    for (space, decoded) in [
+        ("srgb", transfer::srgb_decode(0.5)),
+        ("p3", transfer::srgb_decode(0.5)),
+        ("bt2020", 0.5_f64.powf(2.4)),
+        ("adobe", 0.5_f64.powf(563.0 / 256.0)),
+        ("acescg", 0.5),
+    ] {
+        let answer = &PAINT.json(&["0.5,0.5,0.5", "--space", space])[0];
+        assert_near(&answer["spectrum"][40], decoded, 1e-7);
+        assert_all_near(&answer["roundtrip_rgb"], &[0.5; 3], 1e-6);
+    }
+}
+
+#[test]
+fn without_colors_it_shows_samples_of_ces_99_under_three_lights() {
+    let answers = PAINT.json(&[]);
+    assert_eq!(answers.len(), 24);
+    for (k, answer) in answers.iter().enumerate() {
+        let name = format!("CES{:02}", 4 * k + 1);
+        assert_eq!(answer["sample"], name.as_str());
+        // The measured sample under D65, in f64.
+        let surface = tables::reflectance(&format!("CES:{name}"));
+        let surface = surface.on_cie_grid(Linear, model::interpolation::Outside::Hold);
+        let power = tables::source("D65").on_cie_grid(Linear, Zero);
+        let eye = tables::Observer::Cie1931.on_cie_grid();
+        let xyz = model::tristimulus::xyz_of_surface(&surface, &power, &eye);
+        let rgb = linear::apply(rgb::named("sRGB").xyz_to_rgb(), xyz.map(|value| value / 100.0));
+        // 5 nm bands instead of 1 nm, and a white of four digits.
+        let coded = rgb.map(|value| transfer::srgb_encode(value.clamp(0.0, 1.0)));
+        assert_all_near(&answer["rgb"], &coded, 2e-3);
+        assert_eq!(answer["status"], "exact");
+        assert_eq!(answer["lights"].as_array().map(Vec::len), Some(3));
+        assert_follows_the_model(answer);
+    }
+    let outcome = PAINT.run(&[]);
+    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    for word in ["24 samples of CES99", "D65, A, FL11", "CES01", "CES93"] {
+        assert!(outcome.out.contains(word), "{word}");
+    }
+    assert_eq!(outcome.out.lines().filter(|line| line.trim_start().starts_with("CES")).count(), 24);
+}
+
+#[test]
+fn pictures_are_new_files_in_the_order_of_the_colors() {
+    let pictures = PAINT.scratch("paint").join("made/here");
+    let directory = pictures.to_str().expect("UTF-8");
+    let outcome = PAINT.run_with("0 0 0\n0 1 0\n", &["#cc331a", "-", "--svg", directory, "--space", "p3"]);
+    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    let list = || {
+        let entries = fs::read_dir(&pictures).expect("the directory was made");
+        let names = entries.map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = names.map(|name| name.into_string().expect("UTF-8")).collect();
+        names.sort();
+        names
+    };
+    let made = list();
+    assert_eq!(made.len(), 3);
+    for (name, number) in made.iter().zip(["1-", "2-000000", "3-00ff"]) {
+        let text = fs::read_to_string(pictures.join(name)).expect("a text");
+        assert!(name.starts_with(number) && outcome.out.contains(name.as_str()), "{name}");
+        assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
+        assert!(text.contains("under FL11") && text.contains("url(#rainbow)") && !text.contains("NaN"));
+    }
+    // A file of that name stays as it is, and nothing is drawn beside it.
+    fs::write(pictures.join("1-000000.svg"), "mine").expect("written");
+    let refused = PAINT.run(&["0,0,0", "1,1,1", "--svg", directory]);
+    assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
+    assert!(refused.err.contains("1-000000.svg: is there already; "), "{}", refused.err);
+    assert_eq!(fs::read_to_string(pictures.join("1-000000.svg")).expect("still there"), "mine");
+    assert_eq!(list().len(), 4);
+}
+
+#[test]
+fn pictures_stay_when_the_report_is_not_read_to_its_end() {
+    let directory = PAINT.scratch("unread");
+    let mut child = PAINT.start(&["-", "--svg", directory.to_str().expect("UTF-8")], Stdio::piped());
+    drop(child.stdout.take());
+    child.stdin.take().expect("a pipe").write_all(b"0 0 0\n1 1 1\n").expect("it reads");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+    assert_eq!(fs::read_dir(directory).expect("a directory").count(), 2);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_that_fails_leaves_no_picture_behind() {
+    let directory = PAINT.scratch("full");
+    fs::write(directory.join("mine"), "").expect("written");
+    for pictures in [directory.join("made/here"), directory.clone()] {
+        let full = fs::File::options().write(true).open("/dev/full").expect("a disk that is full");
+        let child = PAINT.start(&["0,0,0", "1,1,1", "--svg", pictures.to_str().expect("UTF-8")], full);
+        let output = child.wait_with_output().expect("it ends");
+        let message = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message.starts_with("stdout: cannot be written") && message.lines().count() == 1,
+            "{message}"
+        );
+        let left = fs::read_dir(&directory).expect("a directory").map(|entry| entry.expect("an entry"));
+        assert_eq!(left.map(|entry| entry.file_name()).collect::<Vec<_>>(), ["mine"]);
+    }
+}
+
+#[test]
+fn a_piped_report_is_plain_text() {
+    for arguments in [&["#c31", "0,0,0"][..], &[], &["--method", "smits"]] {
+        let outcome = PAINT.run(arguments);
+        assert_eq!(outcome.code, Some(0));
+        assert!(outcome.out.chars().all(|c| c == '\n' || !c.is_control()), "{:?}", outcome.out);
+    }
+    let report = PAINT.run(&["0.8,0.2,0.1"]).out;
+    for word in
+        ["gives back    0.80000  0.20000  0.10000", "exact, CIEDE2000 0.0000", "#cc331a", "under FL11"]
+    {
+        assert!(report.contains(word), "{word}: {report}");
+    }
+}

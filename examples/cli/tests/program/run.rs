@@ -1,0 +1,110 @@
+//! Runs the program as a user does, and reads what it says.
+
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+/// A command of the program, and the tests that run it, which have files of their own.
+pub struct Program(pub &'static str, pub &'static str);
+
+pub struct Outcome {
+    pub code: Option<i32>,
+    pub out: String,
+    pub err: String,
+}
+
+impl Program {
+    /// Runs with `stdout` and reads from pipes.
+    pub fn start(&self, arguments: &[&str], stdout: impl Into<Stdio>) -> Child {
+        Command::new(env!("CARGO_BIN_EXE_nanospectra"))
+            .args(Some(self.0).filter(|command| !command.is_empty()))
+            .args(arguments)
+            .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+            .stdin(Stdio::piped())
+            .stdout(stdout)
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program runs")
+    }
+
+    pub fn run_with(&self, input: impl AsRef<[u8]>, arguments: &[&str]) -> Outcome {
+        let mut child = self.start(arguments, Stdio::piped());
+        // A program that refuses its options does not read.
+        let _ = child.stdin.take().expect("a pipe").write_all(input.as_ref());
+        let output = child.wait_with_output().expect("the program ends");
+        let text = |bytes| String::from_utf8(bytes).expect("the report is UTF-8");
+        Outcome { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
+    }
+
+    pub fn run(&self, arguments: &[&str]) -> Outcome {
+        self.run_with("", arguments)
+    }
+
+    /// Runs with `--json` and reads the objects.
+    pub fn json_with(&self, input: &str, arguments: &[&str]) -> Vec<Value> {
+        let outcome = self.run_with(input, &[&["--json"], arguments].concat());
+        assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""), "{arguments:?}");
+        outcome.out.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
+    }
+
+    pub fn json(&self, arguments: &[&str]) -> Vec<Value> {
+        self.json_with("", arguments)
+    }
+
+    /// A file of these tests' own below cargo's.
+    pub fn file(&self, name: &str, text: &str) -> String {
+        let path = self.path(name);
+        fs::write(&path, text).expect("a scratch file");
+        path.to_str().expect("UTF-8").to_owned()
+    }
+
+    /// A directory of these tests' own below cargo's.
+    pub fn scratch(&self, name: &str) -> PathBuf {
+        let directory = self.path(name);
+        let _ = fs::remove_dir_all(&directory);
+        fs::create_dir_all(&directory).expect("a scratch directory");
+        directory
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("{}-{name}", self.1.trim_start_matches("program::")))
+    }
+}
+
+pub fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+pub fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap_or_else(|| panic!("{value} is no array")).iter().map(number).collect()
+}
+
+#[track_caller]
+pub fn assert_near(value: &Value, expected: f64, tolerance: f64) {
+    let found = number(value);
+    assert!((found - expected).abs() <= tolerance, "{found} is not {expected} within {tolerance}");
+}
+
+#[track_caller]
+pub fn assert_all_near(value: &Value, expected: &[f64], tolerance: f64) {
+    let found = numbers(value);
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() <= tolerance, "{found} is not {expected} within {tolerance}");
+    }
+}
+
+/// It ended with exit code 2 and one line: that starts so, has this word in it, and says what to do.
+#[track_caller]
+pub fn assert_refused(outcome: &Outcome, start: &str, word: &str) {
+    let message = &outcome.err;
+    assert_eq!((outcome.code, outcome.out.as_str()), (Some(2), ""), "{message:?}");
+    assert_eq!(message.lines().count(), 1, "{message:?}");
+    assert!(message.ends_with('\n') && !message.trim_end().contains(|c: char| c.is_control()), "{message:?}");
+    assert!(message.starts_with(start), "{message:?} does not start with {start:?}");
+    assert!(message.contains(word), "{message:?} does not say {word:?}");
+    assert!(message.contains(';'), "{message:?} does not say what to do");
+}
