@@ -3,7 +3,6 @@
 #![no_std]
 #![no_main]
 
-#[path = "../prices.rs"]
 mod prices;
 
 use nanospectra_firmware::clock::Clock;
