@@ -50,6 +50,14 @@ pub fn range(sizes: &[f64]) -> [Cell; 3] {
     [least, mean, most].map(|size| size.map_or(Cell::Nothing, Cell::figure))
 }
 
+/// Puts rows in the order of the names in their first cells; those of one name stay as they are.
+pub fn in_order<'a>(rows: &mut [Vec<Cell>], names: impl Iterator<Item = &'a str> + Clone) {
+    rows.sort_by_key(|row| match &row[0] {
+        Cell::Key(name) => names.clone().position(|known| known == name),
+        _ => None,
+    });
+}
+
 /// The largest; nothing of none.
 pub fn largest(sizes: impl IntoIterator<Item = f64>) -> Cell {
     sizes.into_iter().max_by(f64::total_cmp).map_or(Cell::Nothing, Cell::figure)

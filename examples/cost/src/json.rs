@@ -22,12 +22,12 @@ fn of_table(table: &Table) -> Value {
         .iter()
         .map(|row| {
             let cells =
-                table.columns.iter().zip(row).map(|(column, cell)| (column.id.to_owned(), of_cell(cell)));
+                table.columns.iter().zip(row).map(|(column, cell)| (column.id.to_string(), of_cell(cell)));
             Value::Object(cells.collect())
         })
         .collect();
     let of_kind = |kind| -> Vec<&str> {
-        table.columns.iter().filter(|column| column.kind == kind).map(|column| column.id).collect()
+        table.columns.iter().filter(|column| column.kind == kind).map(|column| &*column.id).collect()
     };
     json!({
         "title": table.title,

@@ -10,11 +10,8 @@ use std::path::{Path, PathBuf};
 const CHART: &str = "examples/cost/data/frontier.svg";
 const README: &str = "README.md";
 
-/// The files as they should be.
-pub struct Made {
-    chart: String,
-    readme: String,
-}
+/// Each file, and its text as it should be.
+pub type Made = [(&'static str, String); 2];
 
 /// From the repository's root.
 pub fn in_repository(path: &str) -> PathBuf {
@@ -24,25 +21,22 @@ pub fn in_repository(path: &str) -> PathBuf {
 /// What the record makes of them.
 pub fn of(record: &Value) -> Result<Made, Failure> {
     let readme = read(README)?;
-    Ok(Made { chart: picture::frontier(record), readme: readme::rewritten(&readme, record)? })
+    Ok([(CHART, picture::frontier(record)), (README, readme::rewritten(&readme, record)?)])
 }
 
-impl Made {
-    pub fn write(&self) -> Result<(), Failure> {
-        write(&in_repository(CHART), &self.chart)?;
-        write(&in_repository(README), &self.readme)
-    }
+pub fn save(made: &Made) -> Result<(), Failure> {
+    made.iter().try_for_each(|(path, text)| write(&in_repository(path), text))
+}
 
-    /// One line for each file that is not as it should be.
-    pub fn stale(&self) -> Result<Vec<String>, Failure> {
-        let mut stale = Vec::new();
-        for (path, made) in [(CHART, &self.chart), (README, &self.readme)] {
-            if read(path)? != *made {
-                stale.push(format!("{path}: not what the record makes of it; run with --readme"));
-            }
+/// One line for each file that is not as it should be.
+pub fn stale(made: &Made) -> Result<Vec<String>, Failure> {
+    let mut stale = Vec::new();
+    for (path, text) in made {
+        if read(path)? != *text {
+            stale.push(format!("{path}: not what the record makes of it; run with --readme"));
         }
-        Ok(stale)
     }
+    Ok(stale)
 }
 
 fn read(path: &str) -> Result<String, Failure> {

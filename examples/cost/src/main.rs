@@ -36,7 +36,7 @@ use nanospectra_cli::output::terminal::print;
 use report::Table;
 use std::io::{self, Write};
 use std::process::ExitCode;
-use studies::{Effort, STUDIES};
+use studies::STUDIES;
 
 fn main() -> ExitCode {
     exit_code(Args::read().and_then(|args| run(&args)))
@@ -49,7 +49,7 @@ fn run(args: &Args) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::SUCCESS);
     }
     if args.readme {
-        made::of(&json::recorded()?)?.write()?;
+        made::save(&made::of(&json::recorded()?)?)?;
         return Ok(ExitCode::SUCCESS);
     }
     let report = json::report(&measured(args)?);
@@ -59,12 +59,12 @@ fn run(args: &Args) -> Result<ExitCode, Failure> {
     if args.bless {
         let record = json::updated(json::recorded()?, &report);
         made::write(&made::in_repository(json::PLACE), &json::text(&record))?;
-        made::of(&record)?.write()?;
+        made::save(&made::of(&record)?)?;
     }
     if args.check {
         let record = json::recorded()?;
         let mut differences = check::differences(&report, &record);
-        differences.extend(made::of(&record)?.stale()?);
+        differences.extend(made::stale(&made::of(&record)?)?);
         for line in &differences {
             print(&format!("{line}\n"))?;
         }
@@ -87,12 +87,12 @@ fn measured(args: &Args) -> Result<Vec<Table>, Failure> {
         .iter()
         .filter(|study| args.only.is_empty() || args.only.iter().any(|word| word == study.name))
         .collect();
-    let effort = Effort { runs: if args.quick { 3 } else { 31 } };
+    let runs = if args.quick { 3 } else { 31 };
     let mut tables = Vec::new();
     for (k, study) in chosen.iter().enumerate() {
         // Progress that cannot be shown is no reason to stop.
         let _ = writeln!(io::stderr(), "study {} of {}: {}", k + 1, chosen.len(), study.name);
-        for table in (study.run)(&effort) {
+        for table in (study.run)(runs) {
             // Who checks wants the differences alone.
             if !args.check {
                 print(&text::table(&table))?;

@@ -3,7 +3,6 @@
 use crate::cells::{DIFFERENCES, summary};
 use crate::nanometres::{Lit, for_y_100, world};
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use crate::xyz::lamps::CLASSES;
 use model::delta_e::de2000;
 use model::tables::Observer;
@@ -14,7 +13,7 @@ const OTHERS: [(&str, Observer); 3] = [
     ("CIE 2015, 10 degrees", Observer::Cie2015Deg10),
 ];
 
-pub fn tables(_: &Effort) -> Vec<Table> {
+pub fn tables(_: usize) -> Vec<Table> {
     let mut columns = vec![Column::key("observer", "observer"), Column::key("lamps", "lamps")];
     columns.extend(DIFFERENCES);
     vec![Table {

@@ -1,5 +1,7 @@
 //! What a study found: tables of figures that anyone can measure again, beside times that only this machine has.
 
+use std::borrow::Cow;
+
 /// One table of the report.
 pub struct Table {
     /// A word for the JSON, the pictures and the checks: `xyz`, `maths`.
@@ -13,12 +15,12 @@ pub struct Table {
 }
 
 /// What one number of each row means.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Column {
     /// As the JSON calls it: `mean_de2000`, `m4f_instructions`.
-    pub id: &'static str,
+    pub id: Cow<'static, str>,
     /// As the table is headed.
-    pub heading: &'static str,
+    pub heading: Cow<'static, str>,
     pub kind: Kind,
 }
 
@@ -41,16 +43,20 @@ pub enum Cell {
 }
 
 impl Column {
+    const fn of(id: &'static str, heading: &'static str, kind: Kind) -> Self {
+        Column { id: Cow::Borrowed(id), heading: Cow::Borrowed(heading), kind }
+    }
+
     pub const fn key(id: &'static str, heading: &'static str) -> Self {
-        Column { id, heading, kind: Kind::Key }
+        Column::of(id, heading, Kind::Key)
     }
 
     pub const fn figure(id: &'static str, heading: &'static str) -> Self {
-        Column { id, heading, kind: Kind::Figure }
+        Column::of(id, heading, Kind::Figure)
     }
 
     pub const fn time(id: &'static str, heading: &'static str) -> Self {
-        Column { id, heading, kind: Kind::Time }
+        Column::of(id, heading, Kind::Time)
     }
 }
 

@@ -7,13 +7,8 @@ use crate::{cct, effects, maths, observers, sums, tables, upsample, xyz};
 pub struct Study {
     /// As `--only` calls it.
     pub name: &'static str,
-    pub run: fn(&Effort) -> Vec<Table>,
-}
-
-/// How long to look at the clock.
-pub struct Effort {
-    /// Runs of which a time is the median.
-    pub runs: usize,
+    /// Every time is the median of so many runs.
+    pub run: fn(usize) -> Vec<Table>,
 }
 
 pub const STUDIES: &[Study] = &[

@@ -3,7 +3,6 @@
 use crate::cells::{COUNTED, TIME, counted};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Grid, Interpolation, Nodes, Observer, Outside, Spectrum};
@@ -22,12 +21,12 @@ const WAYS: [(&str, &str); 4] = [
     ("compensated (Neumaier)", "neumaier"),
 ];
 
-pub fn tables(effort: &Effort) -> Vec<Table> {
+pub fn tables(runs: usize) -> Vec<Table> {
     let mut rows = Vec::new();
-    rows.extend(of::<31, Bins<400, 700>>(effort));
-    rows.extend(of::<81, Nodes<380, 780>>(effort));
-    rows.extend(of::<401, Nodes<380, 780>>(effort));
-    rows.extend(of::<471, Nodes<360, 830>>(effort));
+    rows.extend(of::<31, Bins<400, 700>>(runs));
+    rows.extend(of::<81, Nodes<380, 780>>(runs));
+    rows.extend(of::<401, Nodes<380, 780>>(runs));
+    rows.extend(of::<471, Nodes<360, 830>>(runs));
     let mut columns = vec![
         Column::key("terms", "terms"),
         Column::key("order", "order"),
@@ -48,7 +47,7 @@ pub fn tables(effort: &Effort) -> Vec<Table> {
     }]
 }
 
-fn of<const N: usize, G: Grid>(effort: &Effort) -> Vec<Vec<Cell>> {
+fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
     let d65 = D65.interpolate(Interpolation::Linear, Outside::Zero);
     let eye: Observer<3, N, Factor, G> = CIE_1931.under(&d65).fold(Curve::Step);
     let mut noise = Noise(N as u64);
@@ -69,12 +68,11 @@ fn of<const N: usize, G: Grid>(effort: &Effort) -> Vec<Vec<Cell>> {
     let ([weights, ..], values) = (eye.weights(), noise.some::<N>());
     let one = Observer::<1, N, Factor, G>::from_weights([*weights]);
     let surface = Spectrum::<Factor, N, G>::from_bins(values);
-    let time = |sum: fn(&[f32], &[f32]) -> f32| {
-        nanoseconds(effort.runs, || sum(black_box(weights), black_box(&values)))
-    };
+    let time =
+        |sum: fn(&[f32], &[f32]) -> f32| nanoseconds(runs, || sum(black_box(weights), black_box(&values)));
     let times = [
         time(naive),
-        nanoseconds(effort.runs, || black_box(&one).sees(black_box(&surface))),
+        nanoseconds(runs, || black_box(&one).sees(black_box(&surface))),
         time(pairwise),
         time(neumaier),
     ];

@@ -1,9 +1,8 @@
 //! The colour-matching functions in fewer bytes.
 
-use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, summary};
+use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, in_order, summary};
 use crate::nanometres::{Light, Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use crate::xyz::lamps::CLASSES;
 use model::delta_e::de2000;
 use model::lab::lab;
@@ -11,7 +10,7 @@ use model::tables::Observer;
 use nanospectra::math::Portable;
 use nanospectra_hard::yardstick::lobes::color_matching;
 
-pub fn tables(_: &Effort) -> Vec<Table> {
+pub fn tables(_: usize) -> Vec<Table> {
     let mut columns =
         vec![Column::key("table", "table"), Column::key("lamps", "lamps"), Column::figure("bytes", "bytes")];
     columns.extend(DIFFERENCES);
@@ -140,10 +139,7 @@ fn rows() -> Vec<Vec<Cell>> {
             all.push(row);
         }
     }
-    all.sort_by_key(|row| match &row[0] {
-        Cell::Key(name) => stored.iter().position(|table| table.name == name),
-        _ => None,
-    });
+    in_order(&mut all, stored.iter().map(|table| table.name));
     all
 }
 

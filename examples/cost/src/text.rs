@@ -5,7 +5,7 @@ use crate::report::{Cell, Kind, Table};
 /// A table, its columns aligned.
 pub fn table(table: &Table) -> String {
     let mut lines: Vec<Vec<String>> =
-        vec![table.columns.iter().map(|column| column.heading.to_owned()).collect()];
+        vec![table.columns.iter().map(|column| column.heading.to_string()).collect()];
     lines.extend(table.rows.iter().map(|row| row.iter().map(cell).collect()));
     let widths: Vec<usize> = (0..table.columns.len())
         .map(|k| {

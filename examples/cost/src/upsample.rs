@@ -3,7 +3,6 @@
 use crate::cells::{COUNTED, TIME, bytes as of_bytes, counted};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use model::csv::table;
 use model::delta_e::de2000;
 use model::lab::lab;
@@ -36,7 +35,7 @@ const LAMPS: [(&str, &str); 4] = [
     ("led_b3_de2000", "LED-B3"),
 ];
 
-pub fn tables(effort: &Effort) -> Vec<Table> {
+pub fn tables(runs: usize) -> Vec<Table> {
     let mut columns = vec![
         Column::key("method", "method"),
         Column::figure("bytes", "bytes"),
@@ -59,7 +58,7 @@ pub fn tables(effort: &Effort) -> Vec<Table> {
              Bytes, instructions and times: a colour on {FEW} bands of 400..700 nm, what was worked out for them included."
         ),
         columns,
-        rows: study.rows(effort),
+        rows: study.rows(runs),
     }]
 }
 
@@ -97,7 +96,7 @@ impl Study {
         Study { viewing, lamps, samples }
     }
 
-    fn rows(&self, effort: &Effort) -> Vec<Vec<Cell>> {
+    fn rows(&self, runs: usize) -> Vec<Vec<Cell>> {
         let few: Viewing<FEW, Few> = viewing();
         let mut rows = Vec::new();
         let row = |name: &str, bytes: usize, word: &str, time: f64, method: Method<'_>| {
@@ -111,7 +110,7 @@ impl Study {
         let pixel = Rgb::<Srgb>::new(0.2, 0.4, 0.7);
         macro_rules! sigmoid {
             ($start:ty, $name:literal, $file:literal, $word:literal) => {
-                let time = self.time_of_sigmoid::<$start>(&few, effort);
+                let time = self.time_of_sigmoid::<$start>(&few, runs);
                 let (sigmoid, few) = (
                     Sigmoid::<WIDE, Wide, Srgb, $start>::new(&self.viewing),
                     Sigmoid::<FEW, Few, Srgb, $start>::new(&few),
@@ -124,32 +123,32 @@ impl Study {
         sigmoid!(Cubic, "Sigmoid, Cubic", "upsample/start_cubic.csv", "upsample-cubic-31");
         sigmoid!(Quintic, "Sigmoid, Quintic", "upsample/start_quintic.csv", "upsample-quintic-31");
         let (basis, few_basis) = (Basis::new(&self.viewing), Basis::new(&few));
-        let time = nanoseconds(effort.runs, || few_basis.reflectance(black_box(pixel)));
+        let time = nanoseconds(runs, || few_basis.reflectance(black_box(pixel)));
         rows.push(row("Basis", size_of_val(&few_basis), "upsample-basis-31", time, &|rgb| {
             basis.reflectance(rgb)
         }));
         let (smits, few_smits) = (Smits::<WIDE, Wide>::new(), Smits::<FEW, Few>::new());
-        let time = nanoseconds(effort.runs, || few_smits.reflectance(black_box(pixel)));
+        let time = nanoseconds(runs, || few_smits.reflectance(black_box(pixel)));
         rows.push(row("Smits", size_of_val(&few_smits), "upsample-smits-31", time, &|rgb| {
             smits.reflectance(rgb)
         }));
         if let Ok(peer) = optimize(Gamut::SRGB, CELLS) {
-            let time = nanoseconds(effort.runs, || by_table::<FEW, Few>(&peer, black_box(pixel)));
+            let time = nanoseconds(runs, || by_table::<FEW, Few>(&peer, black_box(pixel)));
             let mut file = Vec::new();
             let bytes = peer.to_writer(&mut file).map_or(0, |()| file.len());
             rows.push(row(&format!("rgb2spec, {CELLS}^3 cells"), bytes, "", time, &|rgb| {
                 by_table(&peer, rgb)
             }));
         }
-        rows.push(self.product(effort));
+        rows.push(self.product(runs));
         rows
     }
 
-    fn time_of_sigmoid<M: StartMap>(&self, few: &Viewing<FEW, Few>, effort: &Effort) -> f64 {
+    fn time_of_sigmoid<M: StartMap>(&self, few: &Viewing<FEW, Few>, runs: usize) -> f64 {
         let sigmoid = Sigmoid::<FEW, Few, Srgb, M>::new(few);
         let colors: Vec<Rgb<Srgb>> = self.samples.iter().map(|(_, rgb)| *rgb).collect();
         let mut turn = colors.iter().cycle();
-        nanoseconds(effort.runs, || {
+        nanoseconds(runs, || {
             let rgb = turn.next().copied().unwrap_or(Rgb::new(0.5, 0.5, 0.5));
             sigmoid.reflectance(black_box(rgb)).spectrum.on_grid::<FEW, Few>()
         })
@@ -183,12 +182,12 @@ impl Study {
         })
     }
 
-    fn product(&self, effort: &Effort) -> Vec<Cell> {
+    fn product(&self, runs: usize) -> Vec<Cell> {
         let light_of = |lamp: &Observer<3, WIDE, Factor, Wide>| {
             Rgb::<Srgb>::from_xyz_y100(Xyz::from(lamp.sees(&Reflectance::flat(1.0)))).to_array()
         };
         let (light, pixel) = ([1.2, 0.9, 0.4], [0.2, 0.4, 0.7]);
-        let time = nanoseconds(effort.runs, || rgb_product(black_box(light), black_box(pixel)));
+        let time = nanoseconds(runs, || rgb_product(black_box(light), black_box(pixel)));
         let mut row = vec![
             Cell::key("product of RGB"),
             of_bytes(size_of_val(&light)),

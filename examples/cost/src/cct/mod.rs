@@ -2,10 +2,9 @@
 
 mod printed;
 
-use crate::cells::{COUNTED, TIME, beaten, bytes, counted, largest};
+use crate::cells::{COUNTED, TIME, beaten, bytes, counted, in_order, largest};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use model::cct::uv_at;
 use nanospectra::color::{Cct, Uv1960};
 use nanospectra_hard::yardstick::cct::{ISOTHERMS, LOCUS, mccamy, ohno, robertson};
@@ -92,7 +91,7 @@ impl Band {
     }
 }
 
-pub fn tables(effort: &Effort) -> Vec<Table> {
+pub fn tables(runs: usize) -> Vec<Table> {
     let bands: Vec<Band> = TEMPERATURES
         .windows(2)
         .flat_map(|kelvins| {
@@ -100,10 +99,10 @@ pub fn tables(effort: &Effort) -> Vec<Table> {
         })
         .collect();
     let methods = methods();
-    vec![summary(&methods, &bands, effort), by_band(&methods, &bands)]
+    vec![summary(&methods, &bands, runs), by_band(&methods, &bands)]
 }
 
-fn summary(methods: &[Method], bands: &[Band], effort: &Effort) -> Table {
+fn summary(methods: &[Method], bands: &[Band], runs: usize) -> Table {
     let mut columns = vec![
         Column::key("method", "method"),
         Column::figure("max_mired_of_lamps", "lamps: max, mired"),
@@ -138,7 +137,7 @@ fn summary(methods: &[Method], bands: &[Band], effort: &Effort) -> Table {
             beaten,
         ];
         row.extend(counted(method.word));
-        row.push(Cell::time(nanoseconds(effort.runs, || (method.cct_k)(black_box([0.2, 0.31])))));
+        row.push(Cell::time(nanoseconds(runs, || (method.cct_k)(black_box([0.2, 0.31])))));
         row
     });
     Table {
@@ -176,10 +175,7 @@ fn by_band(methods: &[Method], bands: &[Band]) -> Table {
             ]);
         }
     }
-    rows.sort_by_key(|row| match &row[0] {
-        Cell::Key(name) => methods.iter().position(|method| method.name == name),
-        _ => None,
-    });
+    in_order(&mut rows, methods.iter().map(|method| method.name));
     Table {
         id: "cct-bands",
         title: "Correlated colour temperature, by method and place".into(),

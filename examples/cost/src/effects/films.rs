@@ -4,7 +4,6 @@ use crate::cells::{TIME, beaten};
 use crate::clock::nanoseconds;
 use crate::nanometres::{Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use model::delta_e::de2000;
 use model::film::{airy, mean};
 use model::lab::lab;
@@ -20,11 +19,11 @@ const FILMS: [(f32, usize); 5] =
     [(300.0, 8), (2000.0, 8), (20_000.0, 16), (100_000.0, 64), (1_000_000.0, 512)];
 const SOAP: f32 = 1.33;
 
-pub fn table(effort: &Effort) -> Table {
+pub fn table(runs: usize) -> Table {
     let mut rows = Vec::new();
     for (thickness_nm, points) in FILMS {
         let truth = Truth::new(thickness_nm, points);
-        let looks = [of::<16>(&truth, effort), of::<31>(&truth, effort), of::<60>(&truth, effort)];
+        let looks = [of::<16>(&truth, runs), of::<31>(&truth, runs), of::<60>(&truth, runs)];
         for way in [0, 1] {
             let choices: Vec<(f64, f64)> =
                 looks.iter().map(|look| (look.de2000[way], look.bands as f64)).collect();
@@ -88,7 +87,7 @@ struct Look {
 
 const WAYS: [&str; 2] = ["points", "means"];
 
-fn of<const N: usize>(truth: &Truth, effort: &Effort) -> Look {
+fn of<const N: usize>(truth: &Truth, runs: usize) -> Look {
     let eye: Observer<3, N, Factor, Bins<380, 730>> = CIE_1931
         .under(&D65.interpolate(Interpolation::Linear, Outside::Zero))
         .fold(Curve::Spline)
@@ -103,6 +102,6 @@ fn of<const N: usize>(truth: &Truth, effort: &Effort) -> Look {
     Look {
         bands: N,
         de2000: [points(), means()].map(|spectrum| de2000(truth.lab, seen(spectrum))),
-        ns: [nanoseconds(effort.runs, points), nanoseconds(effort.runs, means)],
+        ns: [nanoseconds(runs, points), nanoseconds(runs, means)],
     }
 }

@@ -6,8 +6,7 @@ mod others;
 mod scenes;
 
 use crate::report::Table;
-use crate::studies::Effort;
 
-pub fn tables(effort: &Effort) -> Vec<Table> {
-    vec![scenes::table(), bands::table(), others::table(), films::table(effort)]
+pub fn tables(runs: usize) -> Vec<Table> {
+    vec![scenes::table(), bands::table(), others::table(), films::table(runs)]
 }

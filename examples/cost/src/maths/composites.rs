@@ -1,11 +1,10 @@
 //! What colour makes of the functions, and by how much the colour is off.
 
 use super::backends::{Fast, Libm, Math, Micromath, Portable, Std, error_of};
-use crate::cells::{COUNTED, TIME, counted};
+use crate::cells::{COUNTED, TIME, counted, in_order};
 use crate::clock::nanoseconds;
 use crate::nanometres::{Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use model::cct::cct_codata;
 use model::chromaticity::uv1960;
 use model::delta_e::de2000;
@@ -20,23 +19,20 @@ use nanospectra::light::blackbody_with;
 use nanospectra::matter::Dielectric;
 use std::hint::black_box;
 
-pub fn table(effort: &Effort) -> Table {
+pub fn table(runs: usize) -> Table {
     let trials = Trials::new();
     let mut rows: Vec<Vec<Cell>> = [
-        of::<Portable>("Portable", &trials, effort),
-        of::<Fast>("Fast", &trials, effort),
-        of::<Libm>("Libm", &trials, effort),
-        of::<Micromath>("Micromath", &trials, effort),
-        of::<Std>("Std", &trials, effort),
+        of::<Portable>("Portable", &trials, runs),
+        of::<Fast>("Fast", &trials, runs),
+        of::<Libm>("Libm", &trials, runs),
+        of::<Micromath>("Micromath", &trials, runs),
+        of::<Std>("Std", &trials, runs),
     ]
     .into_iter()
     .flatten()
     .collect();
-    rows.sort_by_key(|row| match &row[0] {
-        Cell::Key(name) => NAMES.iter().position(|(composite, ..)| composite == name),
-        _ => None,
-    });
-    rows.push(fresnel(effort));
+    in_order(&mut rows, NAMES.iter().map(|name| name.0));
+    rows.push(fresnel(runs));
     let mut columns = vec![
         Column::key("composite", "what"),
         Column::key("backend", "backend"),
@@ -113,7 +109,7 @@ fn mired(cmf: &[Vec<f64>; 3], power: &[f64]) -> f64 {
     1e6 / cct_codata(uv1960(xyz)).cct_k
 }
 
-fn of<M: Math>(backend: &'static str, trials: &Trials, effort: &Effort) -> Vec<Vec<Cell>> {
+fn of<M: Math>(backend: &'static str, trials: &Trials, runs: usize) -> Vec<Vec<Cell>> {
     let mut names = NAMES.into_iter();
     let mut all = Vec::new();
     let mut add = |error: f64, time: f64| {
@@ -123,7 +119,6 @@ fn of<M: Math>(backend: &'static str, trials: &Trials, effort: &Effort) -> Vec<V
         row.push(Cell::time(time));
         all.push(row);
     };
-    let runs = effort.runs;
     let shifts = trials.bodies.iter().map(|&(kelvin, exact)| {
         let power: Vec<f64> = (0..NODES).map(|k| blackbody_with::<M>(nm(k) as f32, kelvin).into()).collect();
         (mired(&trials.cmf, &power) - exact).abs()
@@ -163,7 +158,7 @@ fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }
 
-fn fresnel(effort: &Effort) -> Vec<Cell> {
+fn fresnel(runs: usize) -> Vec<Cell> {
     let angles = (1..=64u8).map(|k| f32::from(k) / 64.0);
     let errors = angles.flat_map(|cos| {
         (11..=40u8).map(move |tenths| {
@@ -173,8 +168,7 @@ fn fresnel(effort: &Effort) -> Vec<Cell> {
             (f64::from(got) / (0.5 * (s + p)) - 1.0).abs()
         })
     });
-    let time =
-        nanoseconds(effort.runs, || Dielectric::new(black_box(1.5)).fresnel(black_box(0.6)).unpolarised());
+    let time = nanoseconds(runs, || Dielectric::new(black_box(1.5)).fresnel(black_box(0.6)).unpolarised());
     let mut row = vec![
         Cell::key("reflectance by Fresnel"),
         Cell::key("any"),

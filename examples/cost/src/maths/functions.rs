@@ -1,32 +1,28 @@
 //! One function at a time, over its domain.
 
 use super::backends::{Fast, Libm, Math, Micromath, Portable, Std, error_of};
-use crate::cells::{COUNTED, TIME, counted};
+use crate::cells::{COUNTED, TIME, counted, in_order};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
-use crate::studies::Effort;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
 /// Numbers a function is tried at, about.
 const TRIED: u32 = 200_000;
 
-pub fn table(effort: &Effort) -> Table {
+pub fn table(runs: usize) -> Table {
     let mut rows: Vec<Vec<Cell>> = [
-        of::<Portable>("Portable", effort),
-        of::<Fast>("Fast", effort),
-        of::<Libm>("Libm", effort),
-        of::<Micromath>("Micromath", effort),
-        of::<Std>("Std", effort),
+        of::<Portable>("Portable", runs),
+        of::<Fast>("Fast", runs),
+        of::<Libm>("Libm", runs),
+        of::<Micromath>("Micromath", runs),
+        of::<Std>("Std", runs),
     ]
     .into_iter()
     .flatten()
     .collect();
     // By function, and the backends in their order.
-    rows.sort_by_key(|row| match &row[0] {
-        Cell::Key(name) => NAMES.iter().position(|(function, ..)| function == name),
-        _ => None,
-    });
+    in_order(&mut rows, NAMES.iter().map(|name| name.0));
     let mut columns = vec![
         Column::key("function", "function"),
         Column::key("backend", "backend"),
@@ -80,7 +76,7 @@ const NAMES: [(&str, &str, Measure); 10] = [
     ("sin", "sin", Measure::Absolute),
 ];
 
-fn of<M: Math>(backend: &'static str, effort: &Effort) -> Vec<Vec<Cell>> {
+fn of<M: Math>(backend: &'static str, runs: usize) -> Vec<Vec<Cell>> {
     let mut rows = NAMES.into_iter();
     let mut all = Vec::new();
     let mut add =
@@ -94,7 +90,6 @@ fn of<M: Math>(backend: &'static str, effort: &Effort) -> Vec<Vec<Cell>> {
             row.push(Cell::time(time));
             all.push(row);
         };
-    let runs = effort.runs;
     macro_rules! one {
         ($f:expr, $exact:expr, $measure:expr, $inputs:expr, $at:expr) => {
             add(worst($inputs, $f, $exact, $measure), nanoseconds(runs, || ($f)(black_box($at))))

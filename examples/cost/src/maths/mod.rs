@@ -5,8 +5,7 @@ mod composites;
 mod functions;
 
 use crate::report::Table;
-use crate::studies::Effort;
 
-pub fn tables(effort: &Effort) -> Vec<Table> {
-    vec![functions::table(effort), composites::table(effort)]
+pub fn tables(runs: usize) -> Vec<Table> {
+    vec![functions::table(runs), composites::table(runs)]
 }

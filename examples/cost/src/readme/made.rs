@@ -6,21 +6,13 @@ use crate::record::{CLASSES, Choice, choices, number, rows, text};
 use crate::text::figure;
 use serde_json::Value;
 
-/// The tables that are made here, by the names of those in the report.
-pub fn makes(name: &str) -> bool {
-    ["xyz", "losses", "maths", "cct"].contains(&name)
-}
-
-/// The table of this name; none if the report does not have it.
-pub fn table(name: &str, report: &Value) -> Option<String> {
-    if rows(report, name).is_empty() {
-        return None;
-    }
+/// What makes the table of this name of a report that has it.
+pub fn maker(name: &str) -> Option<fn(&Value) -> String> {
     match name {
-        "xyz" => Some(xyz(&choices(report))),
-        "losses" => Some(losses(report)),
-        "maths" => Some(maths(report)),
-        "cct" => Some(cct(report)),
+        "xyz" => Some(|report| xyz(&choices(report))),
+        "losses" => Some(losses),
+        "maths" => Some(maths),
+        "cct" => Some(cct),
         _ => None,
     }
 }

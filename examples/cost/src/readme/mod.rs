@@ -6,6 +6,7 @@
 mod counted;
 mod made;
 
+use crate::record::rows;
 use nanospectra_cli::failure::Failure;
 use serde_json::Value;
 
@@ -20,12 +21,13 @@ pub fn rewritten(readme: &str, report: &Value) -> Result<String, Failure> {
     while let Some((before, after)) = rest.split_once(START) {
         let (name, after) = after.split_once(CLOSE).ok_or_else(|| unfinished("a mark", CLOSE))?;
         let (old, after) = after.split_once(END).ok_or_else(|| unfinished(name, END))?;
-        let table = if made::makes(name) {
-            made::table(name, report).ok_or_else(|| {
-                Failure::of("README.md", format_args!("the record has no table {name}; run with --bless"))
-            })?
-        } else {
-            counted::table(name, old.trim())?
+        let table = match made::maker(name) {
+            None => counted::table(name, old.trim())?,
+            Some(_) if rows(report, name).is_empty() => {
+                let missing = format_args!("the record has no table {name}; run with --bless");
+                return Err(Failure::of("README.md", missing));
+            }
+            Some(make) => make(report),
         };
         out += &format!("{before}{START}{name}{CLOSE}\n{table}{END}");
         rest = after;

@@ -72,7 +72,7 @@ pub fn table(outcomes: &[Outcome]) -> Table {
         schemes.dedup();
         for scheme in schemes {
             for range in RANGES {
-                let of_choice = |one: &&Outcome| one.scheme == scheme && one.range == range.name;
+                let of_choice = |one: &&Outcome| one.scheme == scheme && one.range == range;
                 let ones: Vec<&Outcome> = outcomes.iter().filter(of_choice).collect();
                 rows.extend((0..CLASSES.len()).filter_map(|k| worst(&ones, outcomes, belief, k)));
             }

@@ -15,18 +15,17 @@ mod sweep;
 mod world;
 
 use crate::report::Table;
-use crate::studies::Effort;
 use price::Prices;
 use see::{JOBS, Outcome};
 use world::World;
 
-pub fn tables(effort: &Effort) -> Vec<Table> {
+pub fn tables(runs: usize) -> Vec<Table> {
     let world = World::new();
     let mut outcomes: Vec<Outcome> = JOBS.iter().flat_map(|job| job(&world)).collect();
     outcomes.push(see::in_rgb(&world));
     // Range by range and scheme by scheme, as the tables are read.
     outcomes.sort_by_key(|outcome| (range_place(outcome.range), outcome.scheme.place()));
-    let prices = Prices::measured(effort);
+    let prices = Prices::measured(runs);
     vec![
         sweep::means(&outcomes, &prices, &world),
         sweep::spreads(&outcomes),
@@ -39,5 +38,5 @@ pub fn tables(effort: &Effort) -> Vec<Table> {
 }
 
 fn range_place(name: &str) -> usize {
-    see::RANGES.iter().position(|range| range.name == name).unwrap_or(see::RANGES.len())
+    see::RANGES.iter().position(|range| *range == name).unwrap_or(see::RANGES.len())
 }

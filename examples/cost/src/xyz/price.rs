@@ -3,7 +3,6 @@
 use super::scheme::{BANDS, Scheme};
 use crate::clock::nanoseconds;
 use crate::counts::{Core, instructions};
-use crate::studies::Effort;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Light, Observer, Outside, Power, Reflectance, light, matter};
 use nanospectra_hard::yardstick::product::rgb_product;
@@ -24,17 +23,16 @@ pub struct Prices {
 }
 
 impl Prices {
-    pub fn measured(effort: &Effort) -> Self {
+    pub fn measured(runs: usize) -> Self {
         macro_rules! each {
             ($($n:literal)*) => { vec![$({
-                let (folded, unfolded) = timed::<$n>(effort.runs);
+                let (folded, unfolded) = timed::<$n>(runs);
                 ($n, folded, unfolded)
             }),*] };
         }
         let bands = each!(3 8 12 16 20 24 31 36 40 60 81 95);
         debug_assert!(bands.iter().map(|row: &(usize, f64, f64)| row.0).eq(BANDS));
-        let rgb =
-            nanoseconds(effort.runs, || rgb_product(black_box([0.9, 1.0, 0.8]), black_box([0.2, 0.5, 0.7])));
+        let rgb = nanoseconds(runs, || rgb_product(black_box([0.9, 1.0, 0.8]), black_box([0.2, 0.5, 0.7])));
         Prices { bands, rgb }
     }
 

@@ -2,7 +2,7 @@
 
 use super::scheme::{SPECTRAL, Scheme};
 use super::score::{Score, Seen, score};
-use super::world::{CES, Lamp, Set, World};
+use super::world::{CES, Lamp, Surface, World};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{
     Bins, Curve, Factor, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, Reflectance, Spectrum,
@@ -10,18 +10,7 @@ use nanospectra::{
 use nanospectra_hard::yardstick::product::rgb_product;
 
 /// Where the bands lie, nm.
-#[derive(Clone, Copy, Debug)]
-pub struct Range {
-    pub name: &'static str,
-    pub low: f64,
-    pub high: f64,
-}
-
-pub const RANGES: [Range; 3] = [
-    Range { name: "400..700", low: 400.0, high: 700.0 },
-    Range { name: "380..730", low: 380.0, high: 730.0 },
-    Range { name: "380..780", low: 380.0, high: 780.0 },
-];
+pub const RANGES: [&str; 3] = ["400..700", "380..730", "380..780"];
 
 /// A scheme, and what it is off by.
 pub struct Outcome {
@@ -49,12 +38,12 @@ pub const JOBS: &[Job] = jobs!(3 8 12 16 20 24 31 36 40 60 81 95);
 
 /// Bins `B` and, for points, the nodes `P` of the same range.
 fn on<const N: usize, B: Grid, P: Grid>(world: &World) -> Vec<Outcome> {
-    let range = RANGES.iter().find(|range| (range.low, range.high) == (B::FIRST, B::LAST));
-    let range = range.map_or("", |range| range.name);
+    let range = format!("{}..{}", B::FIRST, B::LAST);
+    let range = RANGES.into_iter().find(|known| *known == range).unwrap_or("");
     // What is adverse is asked of the usual range alone.
     let sets = if range == "380..730" { &world.sets[..] } else { &world.sets[..=CES] };
-    let bins: Vec<Vec<Reflectance<N, B>>> = sets.iter().map(averages).collect();
-    let points: Vec<Vec<Reflectance<N, P>>> = sets.iter().map(values).collect();
+    let bins: Vec<Vec<Reflectance<N, B>>> = sets.iter().map(|set| averages(set)).collect();
+    let points: Vec<Vec<Reflectance<N, P>>> = sets.iter().map(|set| values(set)).collect();
     SPECTRAL
         .into_iter()
         .map(|scheme| {
@@ -125,24 +114,24 @@ fn interpolated<const N: usize, G: Grid>(points: &[(f32, f32)]) -> Light<N, G> {
 }
 
 /// Averages over the bins; of two bounces their product.
-fn averages<const N: usize, G: Grid>(set: &Set) -> Vec<Reflectance<N, G>> {
+fn averages<const N: usize, G: Grid>(set: &[Surface]) -> Vec<Reflectance<N, G>> {
     products(set, |factor| Reflectance::from_samples(factor, Outside::Hold).expect("a sample"))
 }
 
-fn values<const N: usize, G: Grid>(set: &Set) -> Vec<Reflectance<N, G>> {
+fn values<const N: usize, G: Grid>(set: &[Surface]) -> Vec<Reflectance<N, G>> {
     products(set, |factor| {
         Reflectance::interpolated(factor, Interpolation::Linear, Outside::Hold).expect("a sample")
     })
 }
 
 fn products<const N: usize, G: Grid>(
-    set: &Set,
+    set: &[Surface],
     one: impl Fn(&[(f32, f32)]) -> Reflectance<N, G>,
 ) -> Vec<Reflectance<N, G>> {
     let of = |factors: &Vec<Vec<(f32, f32)>>| {
         factors.iter().map(|factor| one(factor)).fold(Reflectance::flat(1.0), |all, factor| all * factor)
     };
-    set.surfaces.iter().map(|surface| of(&surface.factors)).collect()
+    set.iter().map(|surface| of(&surface.factors)).collect()
 }
 
 /// (nm, weight) of the observer's own table.

@@ -4,13 +4,13 @@ use super::lamps::CLASSES;
 use super::price::Prices;
 use super::see::Outcome;
 use super::world::World;
-use crate::report::{Cell, Column, Table};
+use crate::report::{Cell, Column, Kind, Table};
 
 const KEYS: [Column; 3] =
     [Column::key("range", "range, nm"), Column::key("scheme", "scheme"), Column::key("bands", "N")];
 
 /// A column for each class, in their order.
-pub const MEANS: [Column; CLASSES.len()] = [
+const MEANS: [Column; CLASSES.len()] = [
     Column::figure("smooth", "smooth"),
     Column::figure("halophosphate", "halophosphate"),
     Column::figure("triphosphor", "triphosphor"),
@@ -19,35 +19,18 @@ pub const MEANS: [Column; CLASSES.len()] = [
     Column::figure("lines", "lines"),
 ];
 
-const SPREADS: [Column; 2 * CLASSES.len()] = [
-    Column::figure("smooth_p95", "smooth p95"),
-    Column::figure("smooth_max", "max"),
-    Column::figure("halophosphate_p95", "halophosphate p95"),
-    Column::figure("halophosphate_max", "max"),
-    Column::figure("triphosphor_p95", "triphosphor p95"),
-    Column::figure("triphosphor_max", "max"),
-    Column::figure("led_p95", "LED p95"),
-    Column::figure("led_max", "max"),
-    Column::figure("hid_p95", "HID p95"),
-    Column::figure("hid_max", "max"),
-    Column::figure("lines_p95", "lines p95"),
-    Column::figure("lines_max", "max"),
-];
-
-const BOUNCES: [Column; 2 * CLASSES.len()] = [
-    Column::figure("smooth", "smooth mean"),
-    Column::figure("smooth_max", "max"),
-    Column::figure("halophosphate", "halophosphate mean"),
-    Column::figure("halophosphate_max", "max"),
-    Column::figure("triphosphor", "triphosphor mean"),
-    Column::figure("triphosphor_max", "max"),
-    Column::figure("led", "LED mean"),
-    Column::figure("led_max", "max"),
-    Column::figure("hid", "HID mean"),
-    Column::figure("hid_max", "max"),
-    Column::figure("lines", "lines mean"),
-    Column::figure("lines_max", "max"),
-];
+/// Two columns for each class: one whose name ends in `ending` and whose heading in `word`, and the largest.
+fn with_max(ending: &str, word: &str) -> Vec<Column> {
+    let figure =
+        |id: String, heading: String| Column { id: id.into(), heading: heading.into(), kind: Kind::Figure };
+    let two = |class: Column| {
+        [
+            figure(format!("{}{ending}", class.id), format!("{} {word}", class.heading)),
+            figure(format!("{}_max", class.id), "max".to_owned()),
+        ]
+    };
+    MEANS.into_iter().flat_map(two).collect()
+}
 
 pub fn means(outcomes: &[Outcome], prices: &Prices, world: &World) -> Table {
     let costs = [
@@ -66,32 +49,23 @@ pub fn means(outcomes: &[Outcome], prices: &Prices, world: &World) -> Table {
         cells.push(Cell::time(price.nanoseconds));
         cells
     };
-    Table {
-        id: "xyz",
-        title: "XYZ of a surface under a lamp: mean CIEDE2000, and what it costs".to_owned(),
-        about: format!(
-            "Truth: f64 sums every 0.1 nm, 360 to 830 nm, of straight lines between the data; 99 colour evaluation \
-             samples (CIE 224) under {}. Errors are absolute: with the truth's white and the truth's scale. A folded observer has what \
-             lies outside its range in the end bins, points and averages cut it off, averages+tails do not. \
-             Instructions at opt-level 3 in QEMU; bytes of constants, and of each surface.",
-            CLASSES.map(|class| format!("{} {}", world.count(class), class.name())).join(", ")
-        ),
-        columns: [&KEYS[..], &MEANS, &costs].concat(),
-        rows: outcomes.iter().map(|outcome| row(outcome, cells(outcome))).collect(),
-    }
+    let title = "XYZ of a surface under a lamp: mean CIEDE2000, and what it costs";
+    let about = format!(
+        "Truth: f64 sums every 0.1 nm, 360 to 830 nm, of straight lines between the data; 99 colour evaluation \
+         samples (CIE 224) under {}. Errors are absolute: with the truth's white and the truth's scale. A folded observer has what \
+         lies outside its range in the end bins, points and averages cut it off, averages+tails do not. \
+         Instructions at opt-level 3 in QEMU; bytes of constants, and of each surface.",
+        CLASSES.map(|class| format!("{} {}", world.count(class), class.name())).join(", ")
+    );
+    table("xyz", title, &about, &[&MEANS, &costs], outcomes, cells)
 }
 
 pub fn spreads(outcomes: &[Outcome]) -> Table {
-    let cells = |outcome: &Outcome| {
+    let title = "XYZ of a surface under a lamp: 95th percentile and largest CIEDE2000";
+    let about = "Of the table before: what the mean hides.";
+    table("xyz-spread", title, about, &[&with_max("_p95", "p95")], outcomes, |outcome| {
         outcome.score.absolute.iter().flat_map(|spread| [spread.p95, spread.max]).map(Cell::figure).collect()
-    };
-    Table {
-        id: "xyz-spread",
-        title: "XYZ of a surface under a lamp: 95th percentile and largest CIEDE2000".to_owned(),
-        about: "Of the table before: what the mean hides.".to_owned(),
-        columns: [&KEYS[..], &SPREADS].concat(),
-        rows: outcomes.iter().map(|outcome| row(outcome, cells(outcome))).collect(),
-    }
+    })
 }
 
 pub fn lights(outcomes: &[Outcome]) -> Table {
@@ -103,42 +77,25 @@ pub fn lights(outcomes: &[Outcome]) -> Table {
         Column::figure("lines_uv", "du'v'"),
         Column::figure("lines_mired", "mired"),
     ];
-    let cells = |outcome: &Outcome| {
+    let title = "The light itself: its worst error, and mean CIEDE2000 from its own white";
+    let about = "Seen from its own white a colour is nearer to the truth, since the error of the light goes out of \
+        it. Then the worst Y, u'v' and CCT of the lights of tables and of lines; CCT of those within 0.02 of \
+        the locus, - where one has none any more.";
+    table("xyz-light", title, about, &[&MEANS, &errors], outcomes, |outcome| {
         let light = outcome.score.light.iter().flat_map(|worst| [worst.percent_y, worst.uv, worst.mired]);
+        let finite = |value: f64| if value.is_finite() { Cell::figure(value) } else { Cell::Nothing };
         outcome.score.own_white.into_iter().chain(light).map(finite).collect()
-    };
-    Table {
-        id: "xyz-light",
-        title: "The light itself: its worst error, and mean CIEDE2000 from its own white".to_owned(),
-        about: "Seen from its own white a colour is nearer to the truth, since the error of the light goes out of \
-            it. Then the worst Y, u'v' and CCT of the lights of tables and of lines; CCT of those within 0.02 of \
-            the locus, - where one has none any more."
-            .to_owned(),
-        columns: [&KEYS[..], &MEANS, &errors].concat(),
-        rows: outcomes.iter().map(|outcome| row(outcome, cells(outcome))).collect(),
-    }
+    })
 }
 
 pub fn two_bounces(outcomes: &[Outcome]) -> Table {
-    let cells = |outcome: &Outcome| {
-        outcome
-            .score
-            .two_bounces
-            .iter()
-            .flat_map(|spread| [spread.mean, spread.max])
-            .map(Cell::figure)
-            .collect()
-    };
-    let hard = outcomes.iter().filter(|outcome| !outcome.score.filters.is_empty());
-    Table {
-        id: "two-bounces",
-        title: "Light off two surfaces: CIEDE2000 of products of averages".to_owned(),
-        about: "60 pairs of the colour evaluation samples. An average of products is no product of averages, and no \
-            fold of the light knows of it."
-            .to_owned(),
-        columns: [&KEYS[..], &BOUNCES].concat(),
-        rows: hard.map(|outcome| row(outcome, cells(outcome))).collect(),
-    }
+    let title = "Light off two surfaces: CIEDE2000 of products of averages";
+    let about = "60 pairs of the colour evaluation samples. An average of products is no product of averages, and no \
+        fold of the light knows of it.";
+    table("two-bounces", title, about, &[&with_max("", "mean")], hard(outcomes), |outcome| {
+        let spreads = outcome.score.two_bounces.iter();
+        spreads.flat_map(|spread| [spread.mean, spread.max]).map(Cell::figure).collect()
+    })
 }
 
 pub fn filters(outcomes: &[Outcome]) -> Table {
@@ -153,28 +110,38 @@ pub fn filters(outcomes: &[Outcome]) -> Table {
         Column::figure("max_40nm", "max"),
         Column::figure("negative_40nm", "negative %"),
     ];
-    let cells = |outcome: &Outcome| {
+    let title = "Narrow filters: CIEDE2000, and how often X, Y or Z is negative";
+    let about = "Gaussians 10, 20 and 40 nm wide at half their height, centred on 420, 425 .. 680 nm, under the lamps \
+        of all tables: what a smooth curve through averages is not made for.";
+    table("filters", title, about, &[&columns], hard(outcomes), |outcome| {
         let filters = outcome.score.filters.iter();
         filters.flat_map(|(spread, share)| [spread.mean, spread.max, *share]).map(Cell::figure).collect()
+    })
+}
+
+/// The choices that were asked what is adverse.
+fn hard(outcomes: &[Outcome]) -> impl Iterator<Item = &Outcome> {
+    outcomes.iter().filter(|outcome| !outcome.score.filters.is_empty())
+}
+
+/// A row for each choice: its keys, and cells for the columns.
+fn table<'a>(
+    id: &'static str,
+    title: &str,
+    about: &str,
+    columns: &[&[Column]],
+    outcomes: impl IntoIterator<Item = &'a Outcome>,
+    cells: impl Fn(&Outcome) -> Vec<Cell>,
+) -> Table {
+    let row = |outcome: &Outcome| {
+        let keys = [Cell::key(outcome.range), Cell::key(outcome.scheme.name()), Cell::key(outcome.bands)];
+        keys.into_iter().chain(cells(outcome)).collect()
     };
-    let hard = outcomes.iter().filter(|outcome| !outcome.score.filters.is_empty());
     Table {
-        id: "filters",
-        title: "Narrow filters: CIEDE2000, and how often X, Y or Z is negative".to_owned(),
-        about: "Gaussians 10, 20 and 40 nm wide at half their height, centred on 420, 425 .. 680 nm, under the lamps \
-            of all tables: what a smooth curve through averages is not made for."
-            .to_owned(),
-        columns: [&KEYS[..], &columns].concat(),
-        rows: hard.map(|outcome| row(outcome, cells(outcome))).collect(),
+        id,
+        title: title.to_owned(),
+        about: about.to_owned(),
+        columns: KEYS.into_iter().chain(columns.concat()).collect(),
+        rows: outcomes.into_iter().map(row).collect(),
     }
-}
-
-/// The keys of an outcome, then its cells.
-fn row(outcome: &Outcome, cells: Vec<Cell>) -> Vec<Cell> {
-    let keys = [Cell::key(outcome.range), Cell::key(outcome.scheme.name()), Cell::key(outcome.bands)];
-    keys.into_iter().chain(cells).collect()
-}
-
-fn finite(value: f64) -> Cell {
-    if value.is_finite() { Cell::figure(value) } else { Cell::Nothing }
 }

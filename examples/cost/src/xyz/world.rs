@@ -21,9 +21,7 @@ pub struct World {
 }
 
 /// Surfaces that are looked at together.
-pub struct Set {
-    pub surfaces: Vec<Surface>,
-}
+pub type Set = Vec<Surface>;
 
 /// What a light is multiplied by: one factor, or two for two bounces.
 pub struct Surface {
@@ -92,12 +90,9 @@ fn sets(ces: &[(Points, Vec<f64>)]) -> Vec<Set> {
             values: a_values.iter().zip(b_values).map(|(a, b)| a * b).collect(),
         }
     };
-    let mut sets = vec![
-        Set { surfaces: ces.iter().map(one).collect() },
-        Set { surfaces: (0..BOUNCES).map(two).collect() },
-    ];
-    sets.extend(FILTER_WIDTHS.map(|width| Set {
-        surfaces: (420..=680).step_by(5).map(|centre| filter(f64::from(centre), width)).collect(),
+    let mut sets: Vec<Set> = vec![ces.iter().map(one).collect(), (0..BOUNCES).map(two).collect()];
+    sets.extend(FILTER_WIDTHS.map(|width| -> Set {
+        (420..=680).step_by(5).map(|centre| filter(f64::from(centre), width)).collect()
     }));
     sets
 }
@@ -124,7 +119,7 @@ impl Lamp {
         .expect("lamps have increasing wavelengths");
         let white = fine.white();
         let seen = |surface: &Surface| lab(fine.sees_values(&surface.values), white);
-        let truth = sets.iter().map(|set| set.surfaces.iter().map(seen).collect()).collect();
+        let truth = sets.iter().map(|set| set.iter().map(seen).collect()).collect();
         Lamp {
             class: lamp.class,
             eye: CIE_1931.under(&light).scaled(fine.scale()),
@@ -137,7 +132,7 @@ impl Lamp {
     }
 }
 
-pub fn singles(points: &[(f64, f64)]) -> Points {
+fn singles(points: &[(f64, f64)]) -> Points {
     points.iter().map(|&(nm, value)| (nm as f32, value as f32)).collect()
 }
 
