@@ -34,6 +34,9 @@ pub enum Cct {
 }
 
 impl Cct {
+    /// Bytes of the table that [`Uv1960::cct`] reads, the only constants of its own.
+    pub const TABLE_BYTES: usize = size_of_val(&LOCUS);
+
     /// Temperature in K and Duv, if there are such numbers.
     #[must_use]
     pub const fn near(self) -> Option<(f32, f32)> {

@@ -1,5 +1,5 @@
 # The hard cases on a Cortex-M4F, subnormal numbers as IEEE 754 has them and flushed to zero. What they are off by
-# is computed from the record on a host (tests/hard_case_table.rs).
+# is computed from the record on a host (tests/hard).
 
 section "Hard cases"
 

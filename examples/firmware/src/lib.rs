@@ -37,5 +37,3 @@ pub mod readings;
 pub mod stack;
 pub mod steps;
 pub mod vest;
-#[path = "../../cost/yardstick/mod.rs"]
-pub mod yardstick;

@@ -5,12 +5,8 @@
 
 use core::fmt::{self, Display, Formatter};
 use core::hint::black_box;
-use nanospectra::math::Micromath;
-use nanospectra_firmware::yardstick;
+use nanospectra_hard::cases::{self, Cases};
 use semihosting::{println, process};
-
-#[path = "../../../cost/hard/mod.rs"]
-mod hard;
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
@@ -37,12 +33,12 @@ fn flush_to_zero() {
 /// Not inlined: arithmetic must not move to the other side of the write to the control register.
 #[inline(never)]
 fn run() {
-    hard::all(&mut Printer);
+    cases::all(&mut Printer);
 }
 
 struct Printer;
 
-impl hard::Cases for Printer {
+impl Cases for Printer {
     fn row<const A: usize, const K: usize>(
         &mut self,
         row: &str,

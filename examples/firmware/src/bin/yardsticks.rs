@@ -1,5 +1,5 @@
-//! Prints the instructions that the methods of others take (examples/cost/yardstick), one `name count` per line, counted
-//! as in `count`.
+//! Prints the instructions that the methods of others take (`nanospectra_hard::yardstick`), one `name count` per line,
+//! counted as in `count`.
 #![no_std]
 #![no_main]
 
@@ -9,7 +9,7 @@ use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Fine, FineObserver, Interpolation, Outside, Power};
 use nanospectra_firmware::clock::Clock;
-use nanospectra_firmware::yardstick::{cct, lobes, product, sums};
+use nanospectra_hard::yardstick::{cct, lobes, product, sums};
 use semihosting::{println, process};
 
 static DAYLIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);

@@ -1,0 +1,12 @@
+//! What it shows in colour to leave an effect out, beside what the effect costs.
+
+mod bands;
+mod films;
+mod others;
+mod scenes;
+
+use crate::report::Table;
+
+pub fn tables(runs: usize) -> Vec<Table> {
+    vec![scenes::table(), bands::table(), others::table(), films::table(runs)]
+}

@@ -1,0 +1,53 @@
+//! The tables of README.md that are made from what is on record.
+//!
+//! They stand between `<!-- cost: NAME -->` and `<!-- end -->`. [`made`] makes one whole from the report; of those
+//! in [`counted`] the words are the README's and the counts are put in.
+
+mod counted;
+mod made;
+
+use crate::record::rows;
+use nanospectra_cli::failure::Failure;
+use serde_json::Value;
+
+const START: &str = "<!-- cost: ";
+const CLOSE: &str = " -->";
+const END: &str = "<!-- end -->";
+
+/// The text of README.md with every table as the report and the counts have it.
+pub fn rewritten(readme: &str, report: &Value) -> Result<String, Failure> {
+    let mut out = String::with_capacity(readme.len());
+    let mut rest = readme;
+    while let Some((before, after)) = rest.split_once(START) {
+        let (name, after) = after.split_once(CLOSE).ok_or_else(|| unfinished("a mark", CLOSE))?;
+        let (old, after) = after.split_once(END).ok_or_else(|| unfinished(name, END))?;
+        let table = match made::maker(name) {
+            None => counted::table(name, old.trim())?,
+            Some(_) if rows(report, name).is_empty() => {
+                let missing = format_args!("the record has no table {name}; run with --bless");
+                return Err(Failure::of("README.md", missing));
+            }
+            Some(make) => make(report),
+        };
+        out += &format!("{before}{START}{name}{CLOSE}\n{table}{END}");
+        rest = after;
+    }
+    Ok(out + rest)
+}
+
+fn unfinished(name: &str, end: &str) -> Failure {
+    Failure::of("README.md", format_args!("{name} does not end; write {end} behind it"))
+}
+
+/// A count with commas between thousands.
+fn grouped(count: u32) -> String {
+    let digits = count.to_string();
+    let mut out = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}

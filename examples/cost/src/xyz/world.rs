@@ -1,0 +1,141 @@
+//! Lamps and surfaces with the truth about them: f64 sums every 0.1 nm from 360 to 830 nm of the straight lines
+//! that join the data.
+
+use super::lamps::{self, Class};
+use model::fine::{Curve, FineEye, values};
+use model::interpolation::Outside;
+use model::lab::lab;
+use model::tables::{Observer, samples};
+use nanospectra::color::{Rgb, Srgb, Xyz};
+use nanospectra::observer::CIE_1931;
+use nanospectra::{Factor, Fine, FineObserver, Interpolation, Outside as Beyond, Power};
+
+/// (nm, value), as the crate takes samples.
+pub type Points = Vec<(f32, f32)>;
+
+pub struct World {
+    pub lamps: Vec<Lamp>,
+    pub sets: Vec<Set>,
+    /// Colours of the colour evaluation samples under D65, for products of colours.
+    pub rgb: Vec<[f32; 3]>,
+}
+
+/// Surfaces that are looked at together.
+pub type Set = Vec<Surface>;
+
+/// What a light is multiplied by: one factor, or two for two bounces.
+pub struct Surface {
+    pub factors: Vec<Points>,
+    /// Their product every 0.1 nm.
+    values: Vec<f64>,
+}
+
+pub struct Lamp {
+    pub class: Class,
+    pub points: Points,
+    /// The crate's, with this lamp in it; Y = 100 is the truth's.
+    pub eye: FineObserver<3, Factor>,
+    /// The truth's own weights.
+    pub fine: FineEye,
+    pub white: [f64; 3],
+    /// Lab of each surface of each set.
+    pub truth: Vec<Vec<[f64; 3]>>,
+    pub rgb: [f32; 3],
+}
+
+/// The colour evaluation samples come first.
+pub const CES: usize = 0;
+/// Then light that meets two of them.
+pub const TWO_BOUNCES: usize = 1;
+/// Then filters, the narrowest first.
+pub const FILTERS: usize = 2;
+
+/// Full widths at half the height, nm.
+const FILTER_WIDTHS: [f64; 3] = [10.0, 20.0, 40.0];
+
+/// How many pairs of samples.
+const BOUNCES: usize = 60;
+
+impl World {
+    pub fn new() -> Self {
+        let ces: Vec<(Points, Vec<f64>)> = (1..=99)
+            .map(|k| samples("samples/cie224_ces99_1nm.csv", &format!("CES{k:02}")).points())
+            .map(|points| (singles(&points), values(&Curve::new(points, Outside::Hold))))
+            .collect();
+        let sets = sets(&ces);
+        let lamps: Vec<Lamp> = lamps::all().into_iter().map(|lamp| Lamp::new(lamp, &sets)).collect();
+        let daylight = FineEye::new(
+            Observer::Cie1931,
+            &Curve::new(model::tables::source("D65").points(), Outside::Zero),
+        );
+        let rgb = ces.iter().map(|(_, values)| in_srgb(daylight.sees_values(values))).collect();
+        World { lamps, sets, rgb }
+    }
+
+    /// How many lamps of a class there are.
+    pub fn count(&self, class: Class) -> usize {
+        self.lamps.iter().filter(|lamp| lamp.class == class).count()
+    }
+}
+
+fn sets(ces: &[(Points, Vec<f64>)]) -> Vec<Set> {
+    let one = |(points, values): &(Points, Vec<f64>)| Surface {
+        factors: vec![points.clone()],
+        values: values.clone(),
+    };
+    let two = |k: usize| {
+        let ((a, a_values), (b, b_values)) = (&ces[k * 5 % 99], &ces[(k * 7 + 31) % 99]);
+        Surface {
+            factors: vec![a.clone(), b.clone()],
+            values: a_values.iter().zip(b_values).map(|(a, b)| a * b).collect(),
+        }
+    };
+    let mut sets: Vec<Set> = vec![ces.iter().map(one).collect(), (0..BOUNCES).map(two).collect()];
+    sets.extend(FILTER_WIDTHS.map(|width| -> Set {
+        (420..=680).step_by(5).map(|centre| filter(f64::from(centre), width)).collect()
+    }));
+    sets
+}
+
+/// A Gaussian that lets everything through at its centre.
+fn filter(centre: f64, width: f64) -> Surface {
+    let points: Vec<(f64, f64)> = (0..=940)
+        .map(|k| 360.0 + f64::from(k) / 2.0)
+        .map(|nm| (nm, (-4.0 * std::f64::consts::LN_2 * ((nm - centre) / width).powi(2)).exp()))
+        .collect();
+    Surface { factors: vec![singles(&points)], values: values(&Curve::new(points, Outside::Hold)) }
+}
+
+impl Lamp {
+    fn new(lamp: lamps::Lamp, sets: &[Set]) -> Self {
+        let points = singles(&lamp.points);
+        let fine = FineEye::new(Observer::Cie1931, &Curve::new(lamp.points, Outside::Zero));
+        // The CIE's rule for tables; a line, which is narrower than 1 nm, needs averages.
+        let light: Fine<Power> = if lamp.class == Class::Lines {
+            Fine::from_samples(&points, Beyond::Zero)
+        } else {
+            Fine::interpolated(&points, Interpolation::Linear, Beyond::Zero)
+        }
+        .expect("lamps have increasing wavelengths");
+        let white = fine.white();
+        let seen = |surface: &Surface| lab(fine.sees_values(&surface.values), white);
+        let truth = sets.iter().map(|set| set.iter().map(seen).collect()).collect();
+        Lamp {
+            class: lamp.class,
+            eye: CIE_1931.under(&light).scaled(fine.scale()),
+            points,
+            white,
+            truth,
+            rgb: in_srgb(white),
+            fine,
+        }
+    }
+}
+
+fn singles(points: &[(f64, f64)]) -> Points {
+    points.iter().map(|&(nm, value)| (nm as f32, value as f32)).collect()
+}
+
+fn in_srgb(xyz: [f64; 3]) -> [f32; 3] {
+    Rgb::<Srgb>::from_xyz_y100(Xyz::from(xyz.map(|value| value as f32))).to_array()
+}

@@ -1,0 +1,20 @@
+//! Prints the table of hard cases as Markdown: `cargo run --release -p nanospectra-hard`. Whatever is not as its row
+//! claims goes to stderr, and the exit code is 1 then.
+
+mod table;
+#[cfg(test)]
+mod tests;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+use table::HardCase;
+
+fn main() -> io::Result<ExitCode> {
+    let cases = table::hard_cases();
+    io::stdout().write_all(table::markdown(&cases).as_bytes())?;
+    let faults: Vec<String> = cases.iter().flat_map(HardCase::faults).collect();
+    for fault in &faults {
+        writeln!(io::stderr(), "{fault}")?;
+    }
+    Ok(if faults.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

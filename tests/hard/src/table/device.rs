@@ -1,0 +1,49 @@
+//! What a Cortex-M4F said, as `tests/devices.sh --bless` recorded it.
+
+use std::collections::HashMap;
+
+const RECORD: &str = include_str!("../../../data/hard_m4f.txt");
+
+/// What both forms gave.
+#[derive(Clone, Default)]
+pub struct Numbers {
+    pub naive: Vec<f32>,
+    pub ours: Vec<f32>,
+}
+
+/// By row and input: with subnormal numbers, and flushing them where that makes a difference.
+pub struct Recorded {
+    plain: HashMap<(String, usize), Numbers>,
+    flushed: HashMap<(String, usize), Numbers>,
+}
+
+impl Recorded {
+    pub fn read() -> Self {
+        let (mut plain, mut flushed) = (HashMap::new(), HashMap::new());
+        let mut into = &mut plain;
+        for line in RECORD.lines().filter(|line| !line.starts_with('#')) {
+            if line == "flush-to-zero" {
+                into = &mut flushed;
+                continue;
+            }
+            let words: Vec<&str> = line.split(' ').collect();
+            let [row, k, naive, ours] = words[..] else { panic!("tests/data/hard_m4f.txt: {line}") };
+            let k = k.parse().unwrap_or_else(|_| panic!("tests/data/hard_m4f.txt: {line}"));
+            into.insert((row.to_string(), k), Numbers { naive: floats(naive), ours: floats(ours) });
+        }
+        Recorded { plain, flushed }
+    }
+
+    /// Nothing is on record for what a device has not run yet; that has other bits.
+    pub fn at(&self, row: &str, k: usize) -> [Numbers; 2] {
+        let key = (row.to_string(), k);
+        let plain = self.plain.get(&key).cloned().unwrap_or_default();
+        let flushed = self.flushed.get(&key).cloned().unwrap_or_else(|| plain.clone());
+        [plain, flushed]
+    }
+}
+
+fn floats(bits: &str) -> Vec<f32> {
+    let one = |bits| f32::from_bits(u32::from_str_radix(bits, 16).expect("eight hexadecimal digits"));
+    bits.split(',').map(one).collect()
+}
