@@ -10,7 +10,6 @@ use nanospectra::upsample::{
 use nanospectra::{Bins, Curve, Fine, Interpolation, Light, Nodes, Outside, Power, Reflectance};
 use proptest::prelude::*;
 use proptest::sample::select;
-use proptest::test_runner::FileFailurePersistence;
 
 const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
 type Grid = Nodes<400, 700>;
@@ -181,7 +180,6 @@ fn what_comes_near_a_primary_is_hardly_further_off_than_a_mixture_with_grey() {
 proptest! {
     #![proptest_config(ProptestConfig {
         cases: 2000,
-        failure_persistence: Some(Box::new(FileFailurePersistence::Direct("tests/upsample.regressions"))),
         ..ProptestConfig::default()
     })]
 

@@ -47,6 +47,8 @@ pub fn ggx_f(alpha: f64, wo: Vector, wi: Vector) -> f64 {
 pub fn ggx_rho(alpha: f64, cos_theta: f64, steps: usize) -> f64 {
     let wo = tilted(cos_theta);
     let n = steps as f64;
+    // Half the azimuths: the other half mirrors it.
+    let azimuths: Vec<_> = (0..steps).map(|k| (PI * (k as f64 + 0.5) / n).sin_cos()).collect();
     let mut sum = 0.0;
     for j in 0..steps {
         // The share of D that is steeper is v^2: even in v, for at grazing angles steep facets matter most.
@@ -54,10 +56,8 @@ pub fn ggx_rho(alpha: f64, cos_theta: f64, steps: usize) -> f64 {
         let tan2 = alpha * alpha * (1.0 - v * v) / (v * v);
         let cosine = 1.0 / (1.0 + tan2).sqrt();
         let sine = tan2.sqrt() * cosine;
-        // Half the azimuths: the other half mirrors it.
-        for k in 0..steps {
-            let phi = PI * (k as f64 + 0.5) / n;
-            let wm = [sine * phi.cos(), sine * phi.sin(), cosine];
+        for (along_y, along_x) in &azimuths {
+            let wm = [sine * along_x, sine * along_y, cosine];
             let towards = dot(wo, wm);
             let wi = [0, 1, 2].map(|k| 2.0 * towards * wm[k] - wo[k]);
             if towards > 0.0 && wi[2] > 0.0 {
