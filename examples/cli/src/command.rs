@@ -1,6 +1,6 @@
 //! Which command is run.
 
-use crate::failure::{Failure, exit_code};
+use crate::failure::{Failure, exit_code, short};
 use crate::{measure, paint, scene, sensor, usage};
 use clap::error::{ContextKind, Error, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -51,7 +51,7 @@ fn refused(error: Error) -> Failure {
     let cli = Cli::command();
     let command = cli.find_subcommand(&word).map_or("nanospectra", |command| command.get_name());
     if error.kind() == ErrorKind::InvalidSubcommand {
-        let word = usage::context(&error, ContextKind::InvalidSubcommand).unwrap_or_default();
+        let word = short(usage::context(&error, ContextKind::InvalidSubcommand).unwrap_or_default());
         let names: Vec<&str> = cli.get_subcommands().map(|command| command.get_name()).collect();
         let what = format!("'{word}' is no command; use {}, or see --help", names.join(", "));
         return Failure::of(command, what);

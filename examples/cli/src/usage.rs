@@ -11,19 +11,16 @@ pub fn refused(program: &str, error: &Error) -> Failure {
     }
     let mut message = error.to_string();
     for kind in [ContextKind::InvalidArg, ContextKind::InvalidValue] {
-        if let Some(ContextValue::String(word)) = error.get(kind) {
-            message = message.replace(word.as_str(), &short(word));
+        if let Some(word) = context(error, kind) {
+            message = message.replace(word, &short(word));
         }
     }
     Failure::of(program, one_line(&message))
 }
 
-/// The word of the command line that an error is about, shortened.
-pub fn context(error: &Error, kind: ContextKind) -> Option<String> {
-    match error.get(kind) {
-        Some(ContextValue::String(word)) => Some(short(word)),
-        _ => None,
-    }
+/// The word of the command line that an error is about.
+pub fn context(error: &Error, kind: ContextKind) -> Option<&str> {
+    if let Some(ContextValue::String(word)) = error.get(kind) { Some(word) } else { None }
 }
 
 /// The name an option's value has on the command line.

@@ -32,10 +32,23 @@ enum Separator {
 }
 
 /// The table of a file, or of standard input for `-`, and what messages call it.
-pub fn read(path: &Path) -> Result<(String, Table), Failure> {
+fn read(path: &Path) -> Result<(String, Table), Failure> {
     let (file, text) = text::read(path)?;
     let table = parse(&file, &text)?;
     Ok((file, table))
+}
+
+/// (wavelength in nm, value) of a table with one column beside the wavelengths.
+pub fn samples(path: &Path) -> Result<Vec<(f32, f32)>, Failure> {
+    let (file, table) = read(path)?;
+    let [column] = &table.columns[..] else {
+        let count = table.columns.len();
+        let what = "columns of values where one is wanted; save that one to a file of its own";
+        let name = table.columns[0].name.as_ref().map_or(String::new(), |name| format!(" ({name}, ..)"));
+        return Err(Failure::of(file + &name, format_args!("{count} {what}")));
+    };
+    let values = column.values.iter();
+    Ok(table.wavelengths.iter().zip(values).map(|(nm, value)| (*nm as f32, *value as f32)).collect())
 }
 
 /// The table in a text; `file` is its name for messages.
@@ -49,9 +62,8 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
         number_in(cell).map(|_| (Separator::of(line), number))
     }) else {
         let line = rows.clone().next().map_or(1, |(_, number)| number);
-        return Err(at(line)(
-            "no row of numbers; give rows of a wavelength in nm and one or more values".into(),
-        ));
+        let what = "no row of numbers; give rows of a wavelength in nm and one or more values";
+        return Err(at(line)(what.into()));
     };
 
     let mut heading: Option<(Vec<String>, usize)> = None;
@@ -60,9 +72,8 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
         let cells = separator.cells(line).map_err(at(number))?;
         if number < first_row {
             if heading.is_some() {
-                return Err(at(number)(
-                    "neither a heading nor numbers; begin the line with '#' to skip it".into(),
-                ));
+                let what = "neither a heading nor numbers; begin the line with '#' to skip it";
+                return Err(at(number)(what.into()));
             }
             check_heading(&cells).map_err(at(number))?;
             heading = Some((cells, number));
@@ -142,9 +153,8 @@ fn check_heading(cells: &[String]) -> Result<(), String> {
 /// The columns that the first row promises, named by the heading.
 fn columns(row: &[String], heading: Option<&(Vec<String>, usize)>) -> Result<Vec<Column>, String> {
     if row.len() < 2 {
-        return Err(
-            "no value beside the wavelength; give rows of a wavelength in nm and one or more values".into()
-        );
+        let what = "no value beside the wavelength; give rows of a wavelength in nm and one or more values";
+        return Err(what.into());
     }
     let mut names = vec![None; row.len() - 1];
     if let Some((cells, line)) = heading {
@@ -169,10 +179,8 @@ impl Table {
         }
         if cells.len() != self.columns.len() + 1 {
             let wanted = self.columns.len() + 1;
-            return Err(format!(
-                "{} where the rows before have {wanted}; complete the row",
-                count(cells.len())
-            ));
+            let found = count(cells.len());
+            return Err(format!("{found} where the rows before have {wanted}; complete the row"));
         }
         let nm = number(&cells[0], "wavelength")?;
         self.check_wavelength(nm)?;

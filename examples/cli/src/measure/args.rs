@@ -108,10 +108,8 @@ impl Args {
     /// What the command line alone shows to be wrong.
     pub fn check(&self) -> Result<(), Failure> {
         if self.reflectance && self.unit == Unit::Absolute {
-            return Err(Failure::of(
-                "--unit absolute",
-                "a reflectance has no unit; leave out --unit or --reflectance",
-            ));
+            let what = "a reflectance has no unit; leave out --unit or --reflectance";
+            return Err(Failure::of("--unit absolute", what));
         }
         check_stdin(self.files.iter().chain(&self.light).chain(&self.compare))
     }

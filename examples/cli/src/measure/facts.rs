@@ -2,6 +2,7 @@
 
 use crate::measure::args::Unit;
 use crate::measure::reading::{Bench, Comparison, Difference, Reading};
+use crate::output::report;
 
 /// A label and what stands beside it.
 pub struct Fact {
@@ -97,17 +98,9 @@ impl Facts {
     }
 }
 
-/// Six significant digits, which f32 holds; plain where that is readable.
+/// Six significant digits, which f32 holds.
 fn significant(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 {
-        return "0".into();
-    }
-    if !(1e-3..1e6).contains(&size) {
-        return format!("{value:.5e}");
-    }
-    let before = size.log10().floor() as i32;
-    format!("{value:.*}", (5 - before).clamp(0, 8) as usize)
+    report::significant(value, 6)
 }
 
 /// Four digits above 10,000 K, where 0.05 mired is more than 5 K.

@@ -19,13 +19,9 @@ pub fn find(light: &Path, by: Interpolation, eye: Eye) -> Result<Illuminant, Fai
         return Ok(Illuminant { name, power });
     }
     if light.as_os_str() != "-" && !light.exists() {
-        return Err(Failure::of(
-            format_args!("--light {}", light.display()),
-            format_args!(
-                "neither a CIE illuminant nor a file; use {}, L41 or a file's name",
-                illuminants::NAMES
-            ),
-        ));
+        let what =
+            format!("neither a CIE illuminant nor a file; use {}, L41 or a file's name", illuminants::NAMES);
+        return Err(Failure::of(format_args!("--light {}", light.display()), what));
     }
     let source = input::read_one(light, "--light")?;
     let power = source.light(by)?.power;

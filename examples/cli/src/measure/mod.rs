@@ -25,10 +25,8 @@ use std::path::PathBuf;
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     if args.reflectance && args.files.is_empty() {
-        return Err(Failure::of(
-            "--reflectance",
-            "the bundled spectrum is a lamp; give FILES with reflectances",
-        ));
+        let what = "the bundled spectrum is a lamp; give FILES with reflectances";
+        return Err(Failure::of("--reflectance", what));
     }
     let bench = Bench::new(args)?;
     let reference = reading::reference(&bench, args)?;

@@ -62,14 +62,10 @@ impl Source {
         self.check_reach()?;
         for ((_, value), line) in self.samples.iter().zip(&*self.lines) {
             if *value > MOST_REFLECTANCE {
-                return Err(Failure::at(
-                    &self.file,
-                    *line,
-                    format!(
-                        "'{}' is {value}, no reflectance; give shares 0..1, not percent or power",
-                        self.name
-                    ),
-                ));
+                let name = &self.name;
+                let what =
+                    format!("'{name}' is {value}, no reflectance; give shares 0..1, not percent or power");
+                return Err(Failure::at(&self.file, *line, what));
             }
         }
         self.fine(by, Outside::Hold, |value| value)
@@ -94,21 +90,18 @@ impl Source {
     ) -> Result<Fine<Q>, Failure> {
         let samples: Vec<(f32, f32)> =
             self.samples.iter().map(|(nm, value)| (*nm as f32, scaled(*value) as f32)).collect();
+        let at = |index: usize, what| Failure::at(&self.file, self.lines[index], what);
         let mut fine = Fine::interpolated(&samples, by, outside).map_err(|error| match error {
-            SamplesError::NotRegular { index } => Failure::at(
-                &self.file,
-                self.lines[index],
-                "off the regular step that sprague needs; use --interpolation linear",
-            ),
+            SamplesError::NotRegular { index } => {
+                at(index, "off the regular step that sprague needs; use --interpolation linear")
+            }
             SamplesError::TooFew { needed } => {
                 self.wrong(&format!("fewer than {needed} samples; use --interpolation linear"))
             }
             // Distinct in f64, that is: a file may list wavelengths closer than f32 tells apart.
-            SamplesError::NotIncreasing { index } => Failure::at(
-                &self.file,
-                self.lines[index],
-                "less than 0.0001 nm above the row before; merge them",
-            ),
+            SamplesError::NotIncreasing { index } => {
+                at(index, "less than 0.0001 nm above the row before; merge them")
+            }
             other => self.wrong(&format!("{other}; correct the file")),
         })?;
         if exact::is_needed(&self.samples) {

@@ -138,10 +138,8 @@ impl Args {
             return Err(Failure::of("-", "standard input can be read once; name it once"));
         }
         if self.beyond.is_some() && self.method != Method::Sigmoid {
-            return Err(Failure::of(
-                "--beyond",
-                "for colours that no sigmoid has; leave out --beyond or --method",
-            ));
+            let what = "for colours that no sigmoid has; leave out --beyond or --method";
+            return Err(Failure::of("--beyond", what));
         }
         if self.light.iter().any(|name| name.trim().is_empty()) {
             return Err(Failure::of("--light", "an empty name; write --light A,FL11 or leave --light out"));

@@ -74,10 +74,8 @@ impl Args {
         if let Some(budget) = self.budget
             && !(0.0..=1e6).contains(&budget)
         {
-            return Err(Failure::of(
-                "--budget",
-                format_args!("{budget} is no colour difference; give 0 or more, 1 is just noticed"),
-            ));
+            let what = format!("{budget} is no colour difference; give 0 or more, 1 is just noticed");
+            return Err(Failure::of("--budget", what));
         }
         if self.scene.is_none() && (self.budget.is_some() || self.json || self.svg.is_some()) {
             return Err(Failure::of("scene", "no scene to answer; give a name of --list or a file"));

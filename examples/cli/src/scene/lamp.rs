@@ -1,9 +1,8 @@
 //! Where the light of a scene comes from.
 
 use crate::failure::{Failure, short};
-use crate::input::{illuminants, text};
+use crate::input::{illuminants, table, text};
 use crate::scene::file::{self, Recipe};
-use crate::scene::table;
 use nanospectra::radiometry::illuminance;
 use nanospectra::{Fine, Interpolation, Outside, Power, light};
 
@@ -27,9 +26,8 @@ pub fn of(recipe: &Recipe) -> Result<Lamp, Failure> {
         }
         (None, Some(kelvin), None, None) => {
             if !(500.0..=1e6).contains(&kelvin) {
-                return Err(wrong(format!(
-                    "blackbody_k = {kelvin} does not shine for eyes; give 500 to 1000000 K"
-                )));
+                let what = format!("blackbody_k = {kelvin} does not shine for eyes; give 500 to 1000000 K");
+                return Err(wrong(what));
             }
             (
                 format!("black body of {kelvin} K"),

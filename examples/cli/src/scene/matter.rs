@@ -1,8 +1,8 @@
 //! The parts of a scene on a grid: numbers, and what they are without their effect.
 
 use crate::failure::Failure;
+use crate::input::table;
 use crate::scene::file::{self, Factors, Film, Part as Written, Points, Recipe, Sample};
-use crate::scene::table;
 use nanospectra::matter::{Absorber, CES, Dye, Mirror, Polariser, Retarder, ThinFilm};
 use nanospectra::path::Part;
 use nanospectra::{Grid, Light, Outside, Quantity, Reflectance, Spectrum};
@@ -71,11 +71,10 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             polariser.is_some(),
             retarder.is_some(),
         ];
+        let several =
+            "a part is one thing; give one of filter, surface, dye, film, mirror, polariser, retarder";
         if kinds.into_iter().filter(|given| *given).count() != 1 {
-            return Err(wrong(
-                "a part is one thing; give one of filter, surface, dye, film, mirror, polariser, retarder"
-                    .into(),
-            ));
+            return Err(recipe.wrong(at, several));
         }
         let (kind, effect, is_matt, what) = if let Some(factors) = filter {
             let effect = if factors.absorbance_per_cm.is_some() { "Beer-Lambert" } else { "absorption" };
@@ -96,9 +95,8 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             ("film", "interference", false, film_of(film).map_err(wrong)?)
         } else if let Some(mirror) = mirror {
             if !((0.01..=100.0).contains(&mirror.n) && (0.0..=100.0).contains(&mirror.k)) {
-                return Err(wrong(
-                    "an index of refraction out of range; give n = 0.01..100, k = 0..100".into(),
-                ));
+                let what = "an index of refraction out of range; give n = 0.01..100, k = 0..100";
+                return Err(recipe.wrong(at, what));
             }
             let angle = angle(mirror.angle_deg).map_err(wrong)?;
             let axis = axis(mirror.axis_deg).map_err(wrong)?;
@@ -112,25 +110,17 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             }
             let [along, across] = [along, across].map(Reflectance::flat);
             let axis = axis(polariser.axis_deg).map_err(wrong)?;
-            (
-                "polariser",
-                "polarisation",
-                false,
-                What::Polariser(Polariser::new(&along, &across, axis / 360.0)),
-            )
+            let polariser = Polariser::new(&along, &across, axis / 360.0);
+            ("polariser", "polarisation", false, What::Polariser(polariser))
         } else if let Some(retarder) = retarder {
             let (nm, axis) = (retarder.path_difference_nm, axis(retarder.axis_deg).map_err(wrong)?);
             if !(0.0..=1e5).contains(&nm) {
                 return Err(wrong(format!("path_difference_nm = {nm} is no plate; give 0..100000")));
             }
-            (
-                "retarder",
-                "polarisation",
-                false,
-                What::Retarder(Retarder::of_path_difference(nm, axis / 360.0)),
-            )
+            let retarder = Retarder::of_path_difference(nm, axis / 360.0);
+            ("retarder", "polarisation", false, What::Retarder(retarder))
         } else {
-            return Err(wrong("no kind; give filter, surface or another".into()));
+            return Err(recipe.wrong(at, several));
         };
         let name = written.name.clone().unwrap_or_else(|| kind.into());
         Ok(Matter { name, kind, effect, is_matt, what })
@@ -179,35 +169,23 @@ fn factors_of<const N: usize, G: Grid>(
         (Some(_), None) => return Err(wrong("path_cm is for absorbance_per_cm; leave it out".into())),
         (None, None) => 0.0,
     };
-    match factors {
-        Factors {
-            flat: Some(share), points: None, csv: None, ces: None, absorbance_per_cm: None, ..
-        } => {
-            if !(0.0..=1.0).contains(share) {
-                return Err(wrong(format!("flat = {share} is no share; give 0..1")));
-            }
-            Ok(Reflectance::flat(*share))
-        }
-        Factors {
-            flat: None, points: Some(points), csv: None, ces: None, absorbance_per_cm: None, ..
-        } => shares(points).map_err(wrong),
-        Factors { flat: None, points: None, csv: Some(path), ces: None, absorbance_per_cm: None, .. } => {
+    let Factors { flat, points, csv, ces, absorbance_per_cm, .. } = factors;
+    match (flat, points, csv, ces, absorbance_per_cm) {
+        (Some(share), None, None, None, None) if (0.0..=1.0).contains(share) => Ok(Reflectance::flat(*share)),
+        (Some(share), None, None, None, None) => Err(wrong(format!("flat = {share} is no share; give 0..1"))),
+        (None, Some(points), None, None, None) => shares(points).map_err(wrong),
+        (None, None, Some(path), None, None) => {
             let path = recipe.beside(path);
             let points: Points =
                 table::samples(&path)?.into_iter().map(|(nm, value)| Sample { nm, value }).collect();
             shares(&points).map_err(|what| Failure::of(path.display(), what))
         }
-        Factors {
-            flat: None, points: None, csv: None, ces: Some(number), absorbance_per_cm: None, ..
-        } => {
+        (None, None, None, Some(number), None) => {
             let sample = number.checked_sub(1).and_then(|k| CES.get(k));
-            let sample =
-                sample.ok_or_else(|| wrong(format!("ces = {number} is none of them; give 1..99")))?;
-            Ok(sample.resample(Outside::Hold))
+            let none = || wrong(format!("ces = {number} is none of them; give 1..99"));
+            Ok(sample.ok_or_else(none)?.resample(Outside::Hold))
         }
-        Factors {
-            flat: None, points: None, csv: None, ces: None, absorbance_per_cm: Some(points), ..
-        } => {
+        (None, None, None, None, Some(points)) => {
             let absorbance: Reflectance<N, G> = samples(points, Outside::Hold).map_err(wrong)?;
             let glass = Absorber::<N, G>::from_molar(*absorbance.values(), 1.0)
                 .map_err(|error| wrong(format!("{error}; give absorbances of 0 or more")))?;

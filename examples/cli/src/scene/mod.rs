@@ -12,7 +12,6 @@ mod json;
 mod lamp;
 mod matter;
 mod picture;
-mod table;
 mod text;
 
 pub use args::Args;

@@ -119,11 +119,10 @@ fn bill(answer: &Answer) -> Group {
             .add(patch(half, answer.look.srgb))
             .add(patch(Area { left: COLUMNS[5] + 80.0, ..half }, line.without_srgb));
     }
-    let totals = [("walked, with lamp and eye", answer.walked), ("folded into the eye", answer.folded)];
-    for (k, (what, price)) in totals.into_iter().enumerate() {
-        let cells = [what.into(), String::new(), price.multiply_adds.to_string(), price.bytes.to_string()];
-        let [a, b, c, d] = cells;
-        group = group.add(row(answer.bill.len() + 1 + k, [a, b, c, d, String::new(), String::new()], FAINT));
+    for (k, (what, price)) in text::totals(answer).into_iter().enumerate() {
+        let (work, bytes) = (price.multiply_adds.to_string(), price.bytes.to_string());
+        let cells = [what.into(), String::new(), work, bytes, String::new(), String::new()];
+        group = group.add(row(answer.bill.len() + 1 + k, cells, FAINT));
     }
     group
 }

@@ -1,105 +1,59 @@
 //! Answers for people.
 
 use crate::failure::printable;
-use crate::output::{plot, terminal};
+use crate::output::Report;
 use crate::scene::answer::{Absolute, Answer, Budget, Look, Sensor};
+use nanospectra::path::Price;
 use nanospectra::{Fine, Interpolation, Light, Outside, Power};
-use std::fmt::{self, Write};
 use std::path::Path;
-
-/// Where the values stand.
-const INDENT: usize = 16;
 
 /// All of it; with escapes for colour if `truecolor`.
 pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
-    let mut report = Text { text: String::new(), truecolor };
-    // Writing to a String cannot fail.
-    let _ = report.all(answer, picture);
-    report.text
+    let mut report = Report::new(16, truecolor);
+    let [title, lamp] = [&answer.title, &answer.lamp].map(|name| printable(name));
+    report.line(format_args!("{title}   ({lamp}, {}, {})\n", answer.eye, answer.grid));
+    report.plot(&curve(&answer.leaving));
+    report.row("lamp", report.swatch(answer.lamp_srgb, 8));
+    report.row("colour", report.swatch(answer.look.srgb, 8) + clipped(&answer.look));
+    let levels = answer.absolute.as_ref().map_or(Vec::new(), levels);
+    for (label, value) in coordinates(&answer.look).into_iter().chain(levels) {
+        report.row(label, value);
+    }
+    if let Some(sensor) = &answer.sensor {
+        let what = format_args!("{}; irradiance by the responsivity of a channel:", sensor.name);
+        report.row("sensor", what);
+        for (label, cells) in channels(sensor, answer.absolute.is_some()) {
+            let cells: String = cells.iter().map(|cell| format!(" {cell:>9}")).collect();
+            report.row(&format!("  {label}"), cells);
+        }
+    }
+    bill(&mut report, answer);
+    if let Some(path) = picture {
+        report.row("picture", path.display());
+    }
+    report.into_text()
 }
 
-struct Text {
-    text: String,
-    truecolor: bool,
+fn bill(report: &mut Report, answer: &Answer) {
+    let [part, effect, work, bytes] = ["part", "effect", "multiply-adds", "bytes"];
+    report.line(format_args!("\n  {part:<24}{effect:<14}{work:>14}{bytes:>8}  without it"));
+    for line in &answer.bill {
+        let (name, fate) = (short_name(&line.name), if line.left_out { "  left out" } else { "" });
+        let (effect, cost) = (line.effect, line.without_delta_e);
+        let (work, bytes) = (line.price.multiply_adds, line.price.bytes);
+        report.line(format_args!("  {name:<24}{effect:<14}{work:>14}{bytes:>8}  {cost:.2} CIEDE2000{fate}"));
+    }
+    for (what, price) in totals(answer) {
+        report.line(format_args!("  {what:<38}{:>14}{:>8}", price.multiply_adds, price.bytes));
+    }
+    if let Some(budget) = &answer.budget {
+        report.line(format_args!("\n  {}; {}", verdict(budget), report.swatch(budget.srgb, 8)));
+    }
 }
 
-impl Text {
-    fn all(&mut self, answer: &Answer, picture: Option<&Path>) -> fmt::Result {
-        writeln!(
-            self.text,
-            "{}   ({}, {}, {})\n",
-            printable(&answer.title),
-            printable(&answer.lamp),
-            answer.eye,
-            answer.grid
-        )?;
-        for line in plot::lines(&curve(&answer.leaving), self.truecolor) {
-            writeln!(self.text, "  {line}")?;
-        }
-        writeln!(self.text)?;
-        let [lamp, color] = [answer.lamp_srgb, answer.look.srgb].map(|color| self.swatch(color));
-        let color = color + clipped(&answer.look);
-        self.row("lamp", lamp)?;
-        self.row("colour", color)?;
-        for (label, value) in coordinates(&answer.look) {
-            self.row(label, value)?;
-        }
-        if let Some(absolute) = &answer.absolute {
-            for (label, value) in levels(absolute) {
-                self.row(label, value)?;
-            }
-        }
-        if let Some(sensor) = &answer.sensor {
-            self.row(
-                "sensor",
-                format_args!("{}; irradiance by the responsivity of a channel:", sensor.name),
-            )?;
-            for (label, cells) in channels(sensor, answer.absolute.is_some()) {
-                let cells: String = cells.iter().map(|cell| format!(" {cell:>9}")).collect();
-                self.row(&format!("  {label}"), cells)?;
-            }
-        }
-        self.bill(answer)?;
-        if let Some(path) = picture {
-            self.row("picture", path.display())?;
-        }
-        Ok(())
-    }
-
-    fn bill(&mut self, answer: &Answer) -> fmt::Result {
-        writeln!(
-            self.text,
-            "\n  {:<24}{:<14}{:>14}{:>8}  without it",
-            "part", "effect", "multiply-adds", "bytes"
-        )?;
-        for line in &answer.bill {
-            let (name, fate) = (short_name(&line.name), if line.left_out { "  left out" } else { "" });
-            let cost = line.without_delta_e;
-            writeln!(
-                self.text,
-                "  {name:<24}{:<14}{:>14}{:>8}  {cost:.2} CIEDE2000{fate}",
-                line.effect, line.price.multiply_adds, line.price.bytes
-            )?;
-        }
-        let mut total = |what: &str, multiply_adds: usize, bytes: usize| {
-            writeln!(self.text, "  {what:<38}{multiply_adds:>14}{bytes:>8}")
-        };
-        total("walked, with lamp and eye", answer.walked.multiply_adds, answer.walked.bytes)?;
-        total("folded into the eye", answer.folded.multiply_adds, answer.folded.bytes)?;
-        if let Some(budget) = &answer.budget {
-            writeln!(self.text, "\n  {}; {}", verdict(budget), self.swatch(budget.srgb))?;
-        }
-        Ok(())
-    }
-
-    /// The code, behind a patch of the colour if there is colour.
-    fn swatch(&self, color: [u8; 3]) -> String {
-        terminal::swatch(color, 8, self.truecolor)
-    }
-
-    fn row(&mut self, label: &str, value: impl fmt::Display) -> fmt::Result {
-        writeln!(self.text, "  {label:<INDENT$}{value}")
-    }
+/// What all of it costs.
+pub fn totals(answer: &Answer) -> [(&'static str, Price); 2] {
+    [("walked, with lamp and eye", answer.walked), ("folded into the eye", answer.folded)]
 }
 
 /// What fits its column.
@@ -153,15 +107,12 @@ pub fn verdict(budget: &Budget) -> String {
 
 /// Photometric and radiometric numbers with their units.
 pub fn levels(absolute: &Absolute) -> Vec<(&'static str, String)> {
+    let Absolute { illuminance_lx, irradiance_w_m2, exitance_lm_m2, exitance_w_m2, .. } = *absolute;
+    let [lx, falling] = [illuminance_lx, irradiance_w_m2].map(digits);
+    let [lm, leaving] = [exitance_lm_m2, exitance_w_m2].map(digits);
     let mut levels = vec![
-        (
-            "arrives",
-            format!("{} lx, {} W/m2", digits(absolute.illuminance_lx), digits(absolute.irradiance_w_m2)),
-        ),
-        (
-            "leaves",
-            format!("{} lm/m2, {} W/m2", digits(absolute.exitance_lm_m2), digits(absolute.exitance_w_m2)),
-        ),
+        ("arrives", format!("{lx} lx, {falling} W/m2")),
+        ("leaves", format!("{lm} lm/m2, {leaving} W/m2")),
     ];
     if let Some([luminance, radiance]) = absolute.radiance {
         let [luminance, radiance] = [luminance, radiance].map(digits);

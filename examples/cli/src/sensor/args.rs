@@ -105,20 +105,14 @@ impl Args {
             return Err(Failure::of("--sensor", "the simulated log is of an AS7341; give the LOG of yours"));
         }
         if self.responsivity.is_some() && self.calibration.is_some() && self.unit.is_some() {
-            return Err(Failure::of(
-                "--unit",
-                "with a calibration the responsivities only shape the spectrum; leave out one of the three",
-            ));
+            let what =
+                "with a calibration the responsivities only shape the spectrum; leave out one of the three";
+            return Err(Failure::of("--unit", what));
         }
         let positive = |option: &str, value: Option<f32>, zero_too: bool| match value {
             Some(value) if !(value > 0.0 && value.is_finite() || zero_too && value == 0.0) => {
-                Err(Failure::of(
-                    option,
-                    format_args!(
-                        "{value} is no such number; give {}",
-                        if zero_too { "0 or more" } else { "one above 0" }
-                    ),
-                ))
+                let so = if zero_too { "0 or more" } else { "one above 0" };
+                Err(Failure::of(option, format_args!("{value} is no such number; give {so}")))
             }
             _ => Ok(()),
         };

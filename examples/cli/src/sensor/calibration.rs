@@ -20,7 +20,7 @@ pub fn read<const C: usize>(path: &Path, channels: &[String]) -> Result<Found<C>
     let places: [usize; C] = table
         .places(&names)?
         .try_into()
-        .map_err(|_| Failure::at(&table.file, table.line, "another number of channels; check --sensor"))?;
+        .map_err(|_| table.wrong("another number of channels; check --sensor"))?;
     match XYZ.map(|name| table.place(name)) {
         [Some(x), Some(y), Some(z)] => patches(&table, places, [x, y, z]),
         _ => matrix(&table, places),
@@ -31,18 +31,14 @@ pub fn read<const C: usize>(path: &Path, channels: &[String]) -> Result<Found<C>
 fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>, Failure> {
     let shape = "give three rows X, Y, Z (heading: row and the channels), or patches with columns X, Y, Z";
     let Some(name) = table.place("row") else {
-        return Err(Failure::at(
-            &table.file,
-            table.line,
-            format_args!("neither a matrix nor patches; {shape}"),
-        ));
+        return Err(table.wrong(format_args!("neither a matrix nor patches; {shape}")));
     };
     let mut rows = [[0.0; C]; 3];
     for (row, wanted) in rows.iter_mut().zip(XYZ) {
         let mut found = table.rows.iter().filter(|row| row.cells[name].eq_ignore_ascii_case(wanted));
         let (Some(cells), None) = (found.next(), found.next()) else {
             let wanted = wanted.to_uppercase();
-            return Err(Failure::at(&table.file, table.line, format_args!("not one row {wanted}; {shape}")));
+            return Err(table.wrong(format_args!("not one row {wanted}; {shape}")));
         };
         for (value, place) in row.iter_mut().zip(places) {
             *value = table.number(cells, place)? as f32;
@@ -50,11 +46,7 @@ fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>,
     }
     if let Some(extra) = table.rows.iter().find(|row| !XYZ.contains(&row.cells[name].to_lowercase().as_str()))
     {
-        return Err(Failure::at(
-            &table.file,
-            extra.line,
-            format_args!("a row that is none of X, Y, Z; {shape}"),
-        ));
+        return Err(table.wrong_at(extra, format_args!("a row that is none of X, Y, Z; {shape}")));
     }
     Ok(Found { matrix: Calibration::from_rows(rows), said: format!("matrix of {}", table.file) })
 }
@@ -73,7 +65,7 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
             *value = table.number(row, place)? as f32;
         }
         if target[1] <= 0.0 {
-            return Err(Failure::at(&table.file, row.line, "Y is not above zero; leave out dark patches"));
+            return Err(table.wrong_at(row, "Y is not above zero; leave out dark patches"));
         }
         let basic = BasicCounts::new(basic);
         fit.add_relative(&basic, Xyz::from(target));

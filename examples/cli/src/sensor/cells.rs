@@ -2,6 +2,7 @@
 
 use crate::failure::{Failure, short};
 use crate::input::{lines, text};
+use std::fmt::Display;
 use std::path::Path;
 
 /// A table of text.
@@ -68,6 +69,16 @@ fn cells(line: &str, mark: char) -> Result<Vec<String>, String> {
 }
 
 impl Table {
+    /// A failure of the table as a whole, at its heading.
+    pub fn wrong(&self, what: impl Display) -> Failure {
+        Failure::at(&self.file, self.line, what)
+    }
+
+    /// A failure at a row.
+    pub fn wrong_at(&self, row: &Row, what: impl Display) -> Failure {
+        Failure::at(&self.file, row.line, what)
+    }
+
     /// The place of a column.
     pub fn place(&self, name: &str) -> Option<usize> {
         self.heading.iter().position(|column| column == name)
@@ -78,7 +89,7 @@ impl Table {
         let wanted = |name: &&str| {
             self.place(name).ok_or_else(|| {
                 let all = names.join(", ");
-                Failure::at(&self.file, self.line, format!("no column '{name}'; name the columns {all}"))
+                self.wrong(format_args!("no column '{name}'; name the columns {all}"))
             })
         };
         names.iter().map(wanted).collect()
@@ -87,7 +98,7 @@ impl Table {
     /// A finite number.
     pub fn number(&self, row: &Row, place: usize) -> Result<f64, Failure> {
         let (cell, name) = (&row.cells[place], &self.heading[place]);
-        let wrong = |what: String| Failure::at(&self.file, row.line, what);
+        let wrong = |what: String| self.wrong_at(row, what);
         if cell.is_empty() {
             return Err(wrong(format!("'{name}' is empty; fill it in, or remove the row")));
         }

@@ -91,10 +91,8 @@ impl Chip {
         let gain = values.first().map_or(1.0, |gain| *gain as f32);
         if !self.gains().is_empty() && !self.gains().contains(&gain) {
             let gains: Vec<String> = self.gains().iter().map(f32::to_string).collect();
-            return Err((
-                0,
-                format!("not one of {}; give the factor, not the register's code", gains.join(", ")),
-            ));
+            let gains = gains.join(", ");
+            return Err((0, format!("not one of {gains}; give the factor, not the register's code")));
         }
         Ok(match self {
             Chip::As7341 | Chip::As7343 => {
@@ -110,20 +108,14 @@ impl Chip {
                 };
                 let (gain, time_ms) = (above_zero(0)?, above_zero(1)?);
                 if !(1e-12..1e12).contains(&(f64::from(gain) * f64::from(time_ms))) {
-                    return Err((
-                        0,
-                        format!("which with time_ms {time_ms} is no exposure; correct one of them"),
-                    ));
+                    let what = format!("which with time_ms {time_ms} is no exposure; correct one of them");
+                    return Err((0, what));
                 }
-                match whole(2, i32::MAX as u32)? {
-                    0 => {
-                        return Err((
-                            2,
-                            "no full scale; give the first count that cannot be trusted".to_owned(),
-                        ));
-                    }
-                    full_scale => Exposure::new(gain, time_ms, full_scale),
+                let full_scale = whole(2, i32::MAX as u32)?;
+                if full_scale == 0 {
+                    return Err((2, "no full scale; give the first count that cannot be trusted".into()));
                 }
+                Exposure::new(gain, time_ms, full_scale)
             }
         })
     }

@@ -57,13 +57,8 @@ impl Frames {
         }
         let fits = |frame: &&Frame| frame.exposure.is_none() || frame.exposure == entry.exposure;
         let Some(frame) = self.frames.iter().find(fits) else {
-            return Err(Failure::of(
-                &self.file,
-                format_args!(
-                    "no dark reading with the exposure of line {} of the log; add one, its shutter closed",
-                    entry.line
-                ),
-            ));
+            let what = format!("no dark reading with the exposure of line {} of the log", entry.line);
+            return Err(Failure::of(&self.file, what + "; add one, its shutter closed"));
         };
         level(&self.file, entry, frame.sums.iter().map(|sum| sum / f64::from(frame.readings)), frame.readings)
     }
@@ -79,15 +74,10 @@ fn level(
     let counts: Vec<f32> = counts.map(|count| count as f32).collect();
     let full_scale = entry.exposure.map_or(f32::INFINITY, |exposure| exposure.full_scale() as f32);
     if let Some(k) = counts.iter().position(|count| *count >= full_scale) {
-        return Err(Failure::of(
-            file,
-            format_args!(
-                "channel {} counts {} in the dark, which is full scale at line {} of the log; measure the dark again",
-                k + 1,
-                counts[k],
-                entry.line
-            ),
-        ));
+        let (channel, count, line) = (k + 1, counts[k], entry.line);
+        let what =
+            format!("channel {channel} counts {count} in the dark, which is full scale at line {line}");
+        return Err(Failure::of(file, what + " of the log; measure the dark again"));
     }
     Ok(Some(Level { counts, readings }))
 }

@@ -60,21 +60,17 @@ impl Setup {
         };
         let chip = args.sensor;
         if source == Source::Unknown && args.calibration.is_none() && chip != Chip::Opt4048 {
-            return Err(Failure::of(
-                "--sensor",
-                format_args!(
-                    "nothing is known of the channels of a {} that would give colour; \
-                     give --calibration with measured patches, or --responsivity",
-                    chip.title()
-                ),
-            ));
+            let what = format!(
+                "nothing is known of the channels of a {} that would give colour; \
+                 give --calibration with measured patches, or --responsivity",
+                chip.title()
+            );
+            return Err(Failure::of("--sensor", what));
         }
         let told = args.calibration.is_some() || args.responsivity.is_some();
         if args.unit.is_some() && !told {
-            return Err(Failure::of(
-                "--unit",
-                "says what --responsivity or --calibration mean; give one of them, or leave it out",
-            ));
+            let what = "says what --responsivity or --calibration mean; give one of them, or leave it out";
+            return Err(Failure::of("--unit", what));
         }
         let absolute = match args.unit {
             Some(unit) => unit == Unit::Absolute,

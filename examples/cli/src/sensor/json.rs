@@ -7,7 +7,7 @@ use crate::sensor::instrument::Setup;
 use crate::sensor::measure::{Color, Reading, Status};
 use crate::sensor::runs::Run;
 use nanospectra::color::Cct;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// All of them, in input order, runs after the readings.
 pub fn lines(report: &Report) -> String {
@@ -24,14 +24,14 @@ fn object(report: &Report, reading: &Reading) -> Value {
     };
     let mut object = json!({
         "kind": "reading",
-        "line": reading.line,
-        "time": reading.time.as_ref().map(|(text, seconds)| seconds.map_or(json!(text), Value::from)),
-        "label": reading.label,
+        "line": reading.entry.line,
+        "time": reading.entry.time.as_ref().map(|(text, seconds)| seconds.map_or(json!(text), Value::from)),
+        "label": reading.entry.label,
         "sensor": setup.chip.title(),
         "responsivities": setup.source.name(),
         "status": reading.status.name(),
         "saturated": saturated,
-        "counts": raw(setup, &reading.counts),
+        "counts": raw(setup, &reading.entry.counts),
         "exposure": {
             "settings": reading.settings,
             "gain": single(reading.exposure.gain()),
@@ -40,7 +40,7 @@ fn object(report: &Report, reading: &Reading) -> Value {
             "shows_100_hz": shown(setup, reading, 100.0),
             "shows_120_hz": shown(setup, reading, 120.0),
         },
-        "temperature_c": reading.temperature_c.map(single),
+        "temperature_c": reading.entry.temperature_c.map(single),
         "basic_counts": reading.basic.as_ref().map(|basic| channels(setup, basic)),
     });
     let color = reading.color.as_ref().map_or_else(nothing, color);
@@ -85,20 +85,8 @@ fn color(color: &Color) -> Value {
 
 /// The same keys of a reading without a colour.
 fn nothing() -> Value {
-    let keys = [
-        "unit",
-        "XYZ",
-        "xy",
-        "lux",
-        "cct_k",
-        "duv",
-        "cct",
-        "ppfd",
-        "wavelengths_nm",
-        "spectrum",
-        "uncertainty",
-    ];
-    Value::Object(keys.into_iter().map(|key| (key.to_owned(), Value::Null)).collect::<Map<_, _>>())
+    let keys = "unit XYZ xy lux cct_k duv cct ppfd wavelengths_nm spectrum uncertainty".split(' ');
+    Value::Object(keys.map(|key| (key.to_owned(), Value::Null)).collect())
 }
 
 /// Where a chromaticity lies beside the Planckian locus.

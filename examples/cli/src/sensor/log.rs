@@ -62,7 +62,7 @@ fn channels(table: &Table, chip: Chip) -> Result<Vec<String>, Failure> {
     };
     let channels: Vec<String> = table.heading.iter().filter(is_channel).cloned().collect();
     if channels.is_empty() {
-        return Err(Failure::at(&table.file, table.line, "no channel; add a column of counts for each"));
+        return Err(table.wrong("no channel; add a column of counts for each"));
     }
     Ok(channels)
 }
@@ -120,14 +120,14 @@ fn exposure(
 ) -> Result<Exposure, Failure> {
     chip.exposure(values).map_err(|(k, what)| {
         let name = &table.heading[places[k]];
-        Failure::at(&table.file, row.line, format!("'{name}' is {}, {what}", values[k]))
+        table.wrong_at(row, format!("'{name}' is {}, {what}", values[k]))
     })
 }
 
 fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec<f64>, Failure> {
     let count = |place: &usize| {
         let (count, name) = (table.number(row, *place)?, &table.heading[*place]);
-        let wrong = |what: &str| Failure::at(&table.file, row.line, format!("'{name}' is {count}, {what}"));
+        let wrong = |what: &str| table.wrong_at(row, format!("'{name}' is {count}, {what}"));
         if count < 0.0 {
             return Err(wrong("no count; give raw counts, and what they are in the dark as dark_ columns"));
         }

@@ -12,13 +12,10 @@ use nanospectra::{Fine, Interpolation, Light, Outside};
 
 /// Everything that is known of a reading.
 pub struct Reading {
-    pub line: usize,
-    pub time: Option<(String, Option<f64>)>,
-    pub label: Option<String>,
-    pub temperature_c: Option<f32>,
+    /// As it was read.
+    pub entry: Entry,
     pub settings: String,
     pub exposure: Exposure,
-    pub counts: Vec<f64>,
     pub status: Status,
     pub basic: Option<Vec<f32>>,
     pub color: Option<Color>,
@@ -70,13 +67,13 @@ pub fn reading<const C: usize>(
     instrument: &Instrument<C>,
     setup: &Setup,
     dark: &Frames,
-    entry: &Entry,
+    entry: Entry,
 ) -> Result<Reading, Failure> {
     let lost = || Failure::of("log", "an entry without exposure or with other channels; report this");
     let exposure = entry.exposure.ok_or_else(lost)?.with_floor(setup.floor);
     let counts: [f64; C] = entry.counts.as_slice().try_into().map_err(|_| lost())?;
     let counts = counts.map(|count| count as f32);
-    let level = dark.of(entry)?;
+    let level = dark.of(&entry)?;
     let mut variances = setup.noise.variances(&exposure, &counts);
     let outcome = match &level {
         Some(level) => {
@@ -105,34 +102,27 @@ pub fn reading<const C: usize>(
         Err(_) => Status::TooDark,
     };
     let mut reading = Reading {
-        line: entry.line,
-        time: entry.time.clone(),
-        label: entry.label.clone(),
-        temperature_c: entry.temperature_c,
         settings: setup.chip.describe(&entry.settings),
         exposure,
-        counts: entry.counts.clone(),
         status,
         basic: None,
         color: None,
         brightness: Some(brightness).filter(|_| !matches!(outcome, Err(Unusable::Saturated { .. }))),
         next: advice::of(setup.chip, exposure, &entry.settings, &counts),
         notes,
+        entry,
     };
     if let Ok(basic) = outcome {
         reading.basic = Some(basic.values().to_vec());
         if instrument.to_xyz.xyz(&basic).is_err() {
             reading.status = Status::Negative;
-            reading.notes.push((
-                "status",
-                "the sums are negative: a light unlike those of the calibration, or noise".into(),
-            ));
+            let what = "the sums are negative: a light unlike those of the calibration, or noise";
+            reading.notes.push(("status", what.into()));
         }
         let color = color(instrument, setup, &basic, &variances, reading.status == Status::Ok);
         if color.spectrum.is_none() && instrument.spectrum.is_some() {
-            reading
-                .notes
-                .push(("spectrum", "the eye sees too little of it to tell its power from the lux".into()));
+            let what = "the eye sees too little of it to tell its power from the lux";
+            reading.notes.push(("spectrum", what.into()));
         }
         reading.color = Some(color);
     }

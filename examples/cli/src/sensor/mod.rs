@@ -23,6 +23,7 @@ pub use args::Args;
 use crate::failure::Failure;
 use crate::output::terminal;
 use instrument::{Instrument, Setup};
+use log::Log;
 use measure::Reading;
 use runs::Run;
 
@@ -43,12 +44,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let log = log::read(args)?;
     let setup = Setup::new(args, &log.channels)?;
-    let report = report(args, setup, &log)?;
+    let report = report(args, setup, log)?;
     terminal::print(&if args.json { json::lines(&report) } else { text::report(&report) })
 }
 
 /// The number of channels is a type: one of these.
-fn report(args: &Args, setup: Setup, log: &log::Log) -> Result<Report, Failure> {
+fn report(args: &Args, setup: Setup, log: Log) -> Result<Report, Failure> {
     macro_rules! with_channels {
         ($($count:literal)*) => {
             match log.channels.len() {
@@ -63,12 +64,12 @@ fn report(args: &Args, setup: Setup, log: &log::Log) -> Result<Report, Failure> 
     with_channels!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18)
 }
 
-fn with_channels_of<const C: usize>(args: &Args, setup: Setup, log: &log::Log) -> Result<Report, Failure> {
+fn with_channels_of<const C: usize>(args: &Args, setup: Setup, log: Log) -> Result<Report, Failure> {
     let instrument = Instrument::<C>::new(args, &setup)?;
-    let dark = dark::Frames::read(args, log)?;
+    let dark = dark::Frames::read(args, &log)?;
     let readings = log
         .entries
-        .iter()
+        .into_iter()
         .map(|entry| measure::reading(&instrument, &setup, &dark, entry))
         .collect::<Result<Vec<_>, _>>()?;
     let runs = runs::of(&readings, &args.flicker_hz);

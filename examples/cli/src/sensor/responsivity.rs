@@ -10,18 +10,18 @@ use std::path::Path;
 pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failure> {
     let table = cells::read(path)?;
     let names: Vec<&str> = channels.iter().map(String::as_str).collect();
-    let nm = table.place("nm").or_else(|| table.place("wavelength_nm")).ok_or_else(|| {
-        Failure::at(&table.file, table.line, "no column 'nm'; begin the heading with it, wavelengths in nm")
-    })?;
+    let nm = table
+        .place("nm")
+        .or_else(|| table.place("wavelength_nm"))
+        .ok_or_else(|| table.wrong("no column 'nm'; begin the heading with it, wavelengths in nm"))?;
     let places = table.places(&names)?;
     let row = |place: usize| {
         let samples = table
             .rows
             .iter()
             .map(|row| match (table.number(row, nm)? as f32, table.number(row, place)? as f32) {
-                (_, value) if value < 0.0 => Err(Failure::at(
-                    &table.file,
-                    row.line,
+                (_, value) if value < 0.0 => Err(table.wrong_at(
+                    row,
                     format!("'{}' is {value}, no responsivity; give 0 or more", table.heading[place]),
                 )),
                 sample => Ok(sample),
@@ -30,24 +30,18 @@ pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failur
         let curve = Light::<BINS, Grid>::from_samples(&samples, Outside::Zero).map_err(|error| {
             let line = |index: usize| table.rows.get(index).map_or(table.line, |row| row.line);
             match error {
-                SamplesError::TooFew { .. } => {
-                    Failure::at(&table.file, table.line, "one wavelength is no curve; add rows")
-                }
+                SamplesError::TooFew { .. } => table.wrong("one wavelength is no curve; add rows"),
                 SamplesError::NotIncreasing { index } => {
                     Failure::at(&table.file, line(index), "nm is not above the row before; sort the rows")
                 }
-                other => Failure::at(&table.file, table.line, format_args!("{other}; correct it")),
+                other => table.wrong(format_args!("{other}; correct it")),
             }
         })?;
         if curve.iter().all(|(_, value)| value <= 0.0) {
-            return Err(Failure::at(
-                &table.file,
-                table.line,
-                format!(
-                    "'{}' sees nothing between 300 and 1000 nm; are the wavelengths in nm?",
-                    table.heading[place]
-                ),
-            ));
+            return Err(table.wrong(format!(
+                "'{}' sees nothing between 300 and 1000 nm; are the wavelengths in nm?",
+                table.heading[place]
+            )));
         }
         let width = Light::<BINS, Grid>::edge_nm(1) - Light::<BINS, Grid>::edge_nm(0);
         Ok(curve.values().map(|value| value * width))

@@ -28,8 +28,8 @@ pub struct At {
 }
 
 pub fn of(readings: &[Reading], frequencies_hz: &[f32]) -> Vec<Run> {
-    let timed = readings.iter().all(|reading| reading.time.is_some());
-    let runs = readings.chunk_by(|a, b| a.label == b.label).filter(|run| timed && run.len() > 1);
+    let timed = readings.iter().all(|reading| reading.entry.time.is_some());
+    let runs = readings.chunk_by(|a, b| a.entry.label == b.entry.label).filter(|run| timed && run.len() > 1);
     runs.map(|run| {
         let rate_hz = rate(run);
         let flicker = match (&rate_hz, values(run)) {
@@ -40,15 +40,15 @@ pub fn of(readings: &[Reading], frequencies_hz: &[f32]) -> Vec<Run> {
             _ => Vec::new(),
         };
         let rate_hz = rate_hz.and_then(|rate| values(run).map(|_| rate));
-        let lines = (run[0].line, run[run.len() - 1].line);
-        Run { label: run[0].label.clone(), lines, readings: run.len(), rate_hz, flicker }
+        let lines = (run[0].entry.line, run[run.len() - 1].entry.line);
+        Run { label: run[0].entry.label.clone(), lines, readings: run.len(), rate_hz, flicker }
     })
     .collect()
 }
 
 /// Readings a second, if they come at equal steps.
 fn rate(run: &[Reading]) -> Result<f32, String> {
-    let seconds = |reading: &Reading| reading.time.as_ref().and_then(|(_, seconds)| *seconds);
+    let seconds = |reading: &Reading| reading.entry.time.as_ref().and_then(|(_, seconds)| *seconds);
     let times: Option<Vec<f64>> = run.iter().map(seconds).collect();
     let times = times.ok_or("time is not in seconds")?;
     let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;

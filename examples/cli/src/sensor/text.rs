@@ -2,7 +2,9 @@
 
 use crate::failure::printable;
 use crate::output::plot::BLOCKS;
+use crate::output::report;
 use crate::sensor::Report;
+use crate::sensor::advice::Next;
 use crate::sensor::json;
 use crate::sensor::measure::{Color, Reading, Status};
 use crate::sensor::runs::Run;
@@ -11,18 +13,8 @@ use nanospectra::color::Cct;
 /// The table, the runs, the notes.
 pub fn report(report: &Report) -> String {
     let lux = report.readings.iter().any(|reading| reading.color.as_ref().is_some_and(|c| c.lux.is_some()));
-    let heading = [
-        "line",
-        "label",
-        "exposure",
-        if lux { "lux" } else { "Y (relative)" },
-        "x, y",
-        "CCT",
-        "Duv",
-        "PPFD",
-        "spectrum",
-        "next",
-    ];
+    let level = if lux { "lux" } else { "Y (relative)" };
+    let heading = ["line", "label", "exposure", level, "x, y", "CCT", "Duv", "PPFD", "spectrum", "next"];
     let rows: Vec<[String; 10]> = report.readings.iter().map(row).collect();
     let mut text = format!("{}\n", report.setup.chip.title());
     for said in &report.colors {
@@ -47,17 +39,14 @@ pub fn report(report: &Report) -> String {
 }
 
 fn row(reading: &Reading) -> [String; 10] {
-    let time = reading.time.as_ref().map(|(text, _)| format!("t={text}"));
-    let label = reading.label.clone().or(time).unwrap_or_default();
-    let next = reading
-        .next
-        .as_ref()
-        .map_or_else(String::new, |next| if next.same { "as it is".into() } else { next.settings.clone() });
+    let time = reading.entry.time.as_ref().map(|(text, _)| format!("t={text}"));
+    let label = reading.entry.label.clone().or(time).unwrap_or_default();
+    let next = |next: &Next| if next.same { "as it is".into() } else { next.settings.clone() };
     let mut row = [const { String::new() }; 10];
-    row[0] = reading.line.to_string();
+    row[0] = reading.entry.line.to_string();
     row[1] = printable(&label);
     row[2].clone_from(&reading.settings);
-    row[9] = next;
+    row[9] = reading.next.as_ref().map_or_else(String::new, next);
     match (&reading.status, &reading.color) {
         (Status::Ok, Some(color)) => fill(&mut row, color),
         (Status::Negative, Some(color)) => {
@@ -150,15 +139,6 @@ fn notes(report: &Report) -> String {
     format!("\nnotes\n{lines}")
 }
 
-/// Five significant digits; plain where that is readable.
 fn significant(value: f32) -> String {
-    let size = value.abs();
-    if size == 0.0 || !size.is_finite() {
-        return value.to_string();
-    }
-    if !(1e-3..1e6).contains(&size) {
-        return format!("{value:.4e}");
-    }
-    let before = size.log10().floor() as i32;
-    format!("{value:.*}", (4 - before).clamp(0, 7) as usize)
+    report::significant(value.into(), 5)
 }

@@ -80,12 +80,13 @@ fn curve(bench: &Bench, reading: &Reading) -> Group {
 
 /// The numbers to draw, and what they are.
 fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f32>, &'static str) {
-    let times = |k: f64| reading.curve.values().iter().map(|value| (f64::from(*value) * k) as f32).collect();
+    let times =
+        |k: f64| reading.curve().values().iter().map(|value| (f64::from(*value) * k) as f32).collect();
     match (&bench.room, bench.unit) {
         (Some(_), _) => (times(1.0), "reflectance"),
         (None, Unit::Absolute) => (times(reading.scale()), "W / m² / nm"),
         (None, Unit::Relative) => {
-            let peak = reading.curve.values().iter().copied().fold(0.0, f32::max);
+            let peak = reading.curve().values().iter().copied().fold(0.0, f32::max);
             (times(1.0 / f64::from(peak)), "relative spectral power")
         }
     }

@@ -79,11 +79,12 @@ fn spectral_rms(this: &Reading, reference: &Reading, lights: bool) -> Option<Dif
     let level = |reading: &Reading| if lights { reading.curve_y } else { 1.0 };
     let (a, b) = (level(this), level(reference));
     let (mut apart, mut own) = (0.0, 0.0);
-    for (x, y) in this.curve.values().iter().zip(reference.curve.values()) {
+    let (this, reference) = (this.curve(), reference.curve());
+    for (x, y) in this.values().iter().zip(reference.values()) {
         apart += (f64::from(*x) / a - f64::from(*y) / b).powi(2);
         own += (f64::from(*y) / b).powi(2);
     }
-    let whole = if lights { own } else { this.curve.values().len() as f64 };
+    let whole = if lights { own } else { this.values().len() as f64 };
     (whole > 0.0).then(|| Difference::One((apart / whole).sqrt()))
 }
 

@@ -37,19 +37,14 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     let surfaces = "a light has none: it needs a surface and a white";
     reading.missing(&["lab", "delta_e2000"], surfaces);
     if bench.eye != Eye::Cie1931 {
-        reading.note(
-            "observer",
-            format!(
-                "{} for XYZ, chromaticity, dominant wavelength and sRGB; \
-                 CCT, Duv, CRI and photometry stay with CIE 1931",
-                bench.eye.title()
-            ),
-        );
+        let what =
+            "for XYZ, chromaticity, dominant wavelength and sRGB; CCT, Duv, CRI and photometry stay with";
+        reading.note("observer", format!("{} {what} CIE 1931", bench.eye.title()));
     }
     for remark in source.remarks(bench.by(), Outside::Zero) {
         reading.note("data", remark);
     }
-    reading.curve = power;
+    reading.curve = Some(power);
     Ok(reading)
 }
 
@@ -76,13 +71,8 @@ fn rendering(reading: &mut Reading, power: &Fine<Power>) {
             reading.cri_ra = Some(cri.ra);
             reading.cri_r = Some(cri.r);
             if cri.dc > MAX_DC {
-                reading.note(
-                    "cri_ra",
-                    format!(
-                        "{:.4} from the reference light in uv, CIE 13.3 allows 0.0054: of little meaning",
-                        cri.dc
-                    ),
-                );
+                let what = "from the reference light in uv, CIE 13.3 allows 0.0054: of little meaning";
+                reading.note("cri_ra", format!("{:.4} {what}", cri.dc));
             }
         }
         Err(error) => reading.missing(&["cri_ra", "cri_r"], &error.to_string()),

@@ -32,6 +32,7 @@ pub struct Room {
 }
 
 /// Every number about one spectrum. `None` stands where one is not defined; a note says why.
+#[derive(Default)]
 pub struct Reading {
     pub file: String,
     pub name: String,
@@ -60,8 +61,7 @@ pub struct Reading {
     /// The difference to the spectrum of `--compare`.
     pub compare: Option<Comparison>,
     pub notes: Vec<Note>,
-    /// The spectrum at every nanometre, for drawing and comparing; of a surface its reflectance.
-    pub curve: Fine<Power>,
+    curve: Option<Fine<Power>>,
     /// Y of the curve.
     curve_y: f64,
     /// Y of the numbers as they were read.
@@ -138,6 +138,11 @@ impl Room {
 }
 
 impl Reading {
+    /// The spectrum at every nanometre, for drawing and comparing; of a surface its reflectance.
+    pub fn curve(&self) -> Fine<Power> {
+        self.curve.unwrap_or(Fine::flat(0.0))
+    }
+
     /// The numbers as they were read are the curve times this.
     pub fn scale(&self) -> f64 {
         if self.curve_y == 0.0 { 1.0 } else { self.raw_y / self.curve_y }
@@ -152,27 +157,7 @@ impl Reading {
             xy: xyz.xy(),
             uv1960: xyz.uv1960(),
             uv1976: xyz.uv1976(),
-            cct_k: None,
-            duv: None,
-            lux: None,
-            ler_lm_per_w: None,
-            lab: None,
-            srgb: None,
-            hex: None,
-            dominant_wavelength_nm: None,
-            purity: None,
-            cri_ra: None,
-            cri_r: None,
-            tm30_rf: None,
-            tm30_rg: None,
-            melanopic_edi_ratio: None,
-            ppfd: None,
-            delta_e2000: None,
-            compare: None,
-            notes: Vec::new(),
-            curve: Fine::flat(0.0),
-            curve_y: 0.0,
-            raw_y: 0.0,
+            ..Reading::default()
         };
         let Some(xy) = reading.xy else {
             let black = "black (X + Y + Z not above zero) has no chromaticity";

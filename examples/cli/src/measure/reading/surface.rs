@@ -8,18 +8,8 @@ use nanospectra::{Fine, Outside};
 
 const PERFECT_WHITE: Lab = Lab { l: 100.0, a: 0.0, b: 0.0 };
 
-const OF_THE_LIGHT: [&str; 10] = [
-    "cct_k",
-    "duv",
-    "lux",
-    "ler_lm_per_w",
-    "cri_ra",
-    "cri_r",
-    "tm30_rf",
-    "tm30_rg",
-    "melanopic_edi_ratio",
-    "ppfd",
-];
+/// Keys of numbers that only a light has.
+const OF_THE_LIGHT: &str = "cct_k duv lux ler_lm_per_w cri_ra cri_r tm30_rf tm30_rg melanopic_edi_ratio ppfd";
 
 pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, Failure> {
     let reflectance = source.reflectance(bench.by())?;
@@ -44,17 +34,17 @@ pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, F
         }
         None => reading.missing(&["srgb", "hex"], "the light is no white that could be adapted to D65"),
     }
-    reading.missing(&OF_THE_LIGHT, "belongs to a light, not to a surface");
+    for key in OF_THE_LIGHT.split(' ') {
+        reading.note(key, "belongs to a light, not to a surface");
+    }
     for remark in source.remarks(bench.by(), Outside::Hold) {
         reading.note("data", remark);
     }
     let above = source.samples.iter().filter(|(_, value)| *value > 1.0).count();
     if above > 0 {
-        reading.note(
-            "data",
-            format!("{above} values above 1: more light than falls on it (fluorescence, gloss?)"),
-        );
+        let what = format!("{above} values above 1: more light than falls on it (fluorescence, gloss?)");
+        reading.note("data", what);
     }
-    reading.curve = Fine::from_bins(*reflectance.values());
+    reading.curve = Some(Fine::from_bins(*reflectance.values()));
     Ok(reading)
 }

@@ -1,0 +1,66 @@
+//! A report for people in the making: rows of a label and a value, plots, patches of color.
+
+use super::{plot, tint};
+use nanospectra::{Fine, Power};
+use std::fmt::Display;
+
+pub struct Report {
+    text: String,
+    /// Where the values stand.
+    indent: usize,
+    truecolor: bool,
+}
+
+impl Report {
+    /// An empty one; with escapes for color if `truecolor`.
+    pub fn new(indent: usize, truecolor: bool) -> Self {
+        Report { text: String::new(), indent, truecolor }
+    }
+
+    pub fn line(&mut self, line: impl Display) {
+        self.text += &format!("{line}\n");
+    }
+
+    pub fn row(&mut self, label: &str, value: impl Display) {
+        let indent = self.indent;
+        self.line(format_args!("  {label:<indent$}{value}"));
+    }
+
+    /// A spectrum and an empty line.
+    pub fn plot(&mut self, curve: &Fine<Power>) {
+        for line in plot::lines(curve, self.truecolor) {
+            self.line(format_args!("  {line}"));
+        }
+        self.line("");
+    }
+
+    /// Blanks on a background, if there is color.
+    pub fn patch(&self, [r, g, b]: [u8; 3], width: usize) -> String {
+        if self.truecolor { format!("\x1b[48;2;{r};{g};{b}m{:width$}\x1b[0m", "") } else { String::new() }
+    }
+
+    /// The code of a color behind a patch of it.
+    pub fn swatch(&self, color: [u8; 3], width: usize) -> String {
+        self.patch(color, width) + &tint::hex(color)
+    }
+
+    pub fn into_text(self) -> String {
+        self.text
+    }
+}
+
+/// So many significant digits; plain where that is readable.
+pub fn significant(value: f64, digits: usize) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".into();
+    }
+    if !size.is_finite() {
+        return value.to_string();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return format!("{value:.*e}", digits - 1);
+    }
+    let decimals = digits as i32 - 1 - size.log10().floor() as i32;
+    format!("{value:.*}", decimals.clamp(0, digits as i32 + 2) as usize)
+}
