@@ -24,7 +24,7 @@ pub fn rewritten(readme: &str, report: &Value) -> Result<String, Failure> {
         let table = match made::maker(name) {
             None => counted::table(name, old.trim())?,
             Some(_) if rows(report, name).is_empty() => {
-                let missing = format_args!("the record has no table {name}; run with --bless");
+                let missing = format!("the record has no table {name}; run with --bless");
                 return Err(Failure::of("README.md", missing));
             }
             Some(make) => make(report),
