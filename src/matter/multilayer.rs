@@ -72,10 +72,10 @@ impl<const L: usize> Stack<L> {
     /// `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
     ///
     /// # Accuracy
-    /// 2e-4 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05: that is what the
-    /// sharpest resonances make of rounding. Of 100 000 such stacks drawn at random, none is off by more than 5e-6.
-    /// Thicker layers add some roundings for each turn of phase but at normal incidence. Whatever they do, the
-    /// shares of clear layers add up to 1 within 2e-7, and those of absorbing ones within 1e-6
+    /// 2e-4 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05: the worst that a
+    /// search has found, at sharp resonances, which magnify rounding. Of 100 000 such stacks drawn at random, none is
+    /// off by more than 5e-6. Thicker layers add some roundings for each turn of phase but at normal incidence.
+    /// Whatever they do, the shares of clear layers add up to 1 within 2e-7, and those of absorbing ones within 1e-6
     /// (`tests/matter/films_properties.rs`). Layers of any thickness may absorb: nothing overflows.
     ///
     /// # Cost

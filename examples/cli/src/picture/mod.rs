@@ -72,8 +72,10 @@ pub fn check_free(path: &Path, other: &str) -> Result<(), Failure> {
     if path.symlink_metadata().is_err() {
         return Ok(());
     }
-    let what = format_args!("is there already; remove it or {other}");
-    Err(Failure::of(format_args!("--svg {}", path.display()), what))
+    Err(Failure::of(
+        format_args!("--svg {}", path.display()),
+        format_args!("is there already; remove it or {other}"),
+    ))
 }
 
 /// Makes a file that was not there.
