@@ -26,6 +26,8 @@
 //! `tests/devices.sh` of the main crate asks all of them, and runs `tests/on_target.rs` on a host and on every board.
 #![no_std]
 
+pub use nanospectra_bits as bits;
+
 #[cfg(target_os = "none")]
 pub mod clock;
 #[cfg(all(target_os = "none", feature = "instrument"))]

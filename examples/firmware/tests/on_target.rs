@@ -11,7 +11,7 @@
 use as7341::{As7341, Gain};
 use nanospectra::color::{Cct, Xyz};
 use nanospectra::sensor::{Exposure, Unusable};
-use nanospectra_bits as bits;
+use nanospectra_firmware::bits;
 use nanospectra_firmware::mock_bus::{As7341Registers, NoDelay};
 use nanospectra_firmware::pipeline::{Color, TO_XYZ, measure};
 use nanospectra_firmware::readings::{BLACK_BODY, DAYLIGHT, EXPOSURE, INCANDESCENT, LED};

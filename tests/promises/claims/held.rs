@@ -62,7 +62,7 @@ impl Records {
         Records { errors: model::allowed::record::read(), counts: read("tests/data/instructions.txt") }
     }
 
-    /// What is on record for this check of tests/model/src/allowed.
+    /// What is on record for this check.
     fn error(&self, name: &str) -> Result<[f64; 2], String> {
         self.errors.get(name).copied().ok_or(format!("no error of '{name}' is on record"))
     }

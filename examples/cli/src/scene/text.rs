@@ -20,10 +20,7 @@ pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> Strin
         report.row(label, value);
     }
     if let Some(sensor) = &answer.sensor {
-        report.row(
-            "sensor",
-            format_args!("{}; irradiance by the responsivity of a channel:", sensor.name),
-        );
+        report.row("sensor", format_args!("{}; irradiance by the responsivity of a channel:", sensor.name));
         for (label, cells) in channels(sensor, answer.absolute.is_some()) {
             let cells: String = cells.iter().map(|cell| format!(" {cell:>9}")).collect();
             report.row(&format!("  {label}"), cells);

@@ -2,7 +2,7 @@
 //! print.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use nanospectra_bits as bits;
+use nanospectra_firmware::bits;
 #[cfg(target_os = "none")]
 use semihosting::{println, process};
 

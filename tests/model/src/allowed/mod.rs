@@ -1,29 +1,26 @@
-//! The one table of what the crate may be off by, against f64 references, and checks by it.
+//! What the library may be off by, against references in f64, and checks by it.
 //!
-//! Each entry is used by one test, which fails when an error is larger than allowed, and also when the
-//! largest error is less than half of what is allowed: then the entry claims too little. Within these two, what
-//! was measured is on record, and may not grow by more than 2 %.
+//! Each entry of `tests/data/allowances.txt` is used by one test, which fails when an error is larger than allowed, and
+//! also when the largest error is less than half of what is allowed: then the entry claims too little. Within these two,
+//! what was measured is on record, and may not grow by more than 2 %.
 
-mod colors;
-mod lights;
 pub mod record;
+mod table;
 
 use crate::check::Check;
+use std::sync::LazyLock;
+use table::Table;
 
-/// (what, absolute, relative): |got - expected| <= absolute + relative * |expected|.
-pub type Allowed = (&'static str, f64, f64);
-
-/// The whole table.
-pub fn all() -> impl Iterator<Item = &'static Allowed> {
-    colors::ALLOWED.iter().chain(lights::ALLOWED)
+/// The whole table: absolute and relative error by the name of the check.
+pub fn all() -> &'static Table {
+    static ALL: LazyLock<Table> = LazyLock::new(|| table::read("allowances.txt"));
+    &ALL
 }
 
 /// A check with the allowance of this name.
 pub fn check(what: &'static str) -> Check {
-    let mut entries = all().filter(|entry| entry.0 == what);
-    let (Some((_, absolute, relative)), None) = (entries.next(), entries.next()) else {
-        panic!("not one entry '{what}' in tests/model/src/allowed");
-    };
+    let [absolute, relative] =
+        all().get(what).unwrap_or_else(|| panic!("no entry '{what}' in tests/data/allowances.txt"));
     Check::new(what, *absolute, *relative).held_to(record::hold)
 }
 

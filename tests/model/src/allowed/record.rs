@@ -3,25 +3,16 @@
 //! `cargo xtask bless` makes the record again. With NANOSPECTRA_BLESS=1 a test puts on record what is larger than what
 //! is there, and what is new. The errors are the same on every machine but for the last digits of the f64 models.
 
-use std::collections::BTreeMap;
+use super::table::{self, FOLDER, Table};
 use std::fs;
 use std::sync::{Mutex, PoisonError};
 
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/measured_errors.txt");
+const FILE: &str = "measured_errors.txt";
+const HEAD: &str = "# The largest error of each check in tests/data/allowances.txt: absolute, relative, name. By `cargo xtask bless`.\n";
 
-/// By name: absolute, relative; as in the table of what is allowed.
-pub fn read() -> BTreeMap<String, [f64; 2]> {
-    let text = fs::read_to_string(PATH).expect("tests/data/measured_errors.txt");
-    let lines = text.lines().filter(|line| !line.starts_with('#'));
-    lines
-        .map(|line| {
-            let mut parts = line.splitn(3, ' ');
-            let mut part = || parts.next().unwrap_or_else(|| panic!("not an entry: {line}"));
-            let mut number = || part().parse().unwrap_or_else(|_| panic!("not a number: {line}"));
-            let errors = [number(), number()];
-            (part().to_string(), errors)
-        })
-        .collect()
+/// By name: absolute, relative.
+pub fn read() -> Table {
+    table::read(FILE)
 }
 
 /// Fails if the largest error of this check is not on record or more than 2 % above it.
@@ -34,8 +25,8 @@ pub fn hold(what: &'static str, measured: [f64; 2]) {
         *entry = [entry[0].max(measured[0]), entry[1].max(measured[1])];
         let lines =
             all.iter().map(|(what, [absolute, relative])| format!("{absolute:.3e} {relative:.3e} {what}\n"));
-        let head = "# The largest error of each check in tests/model/src/allowed: absolute, relative, name; see record.rs there.\n";
-        fs::write(PATH, head.to_string() + &lines.collect::<String>()).expect("a record");
+        fs::write(format!("{FOLDER}{FILE}"), HEAD.to_string() + &lines.collect::<String>())
+            .expect("a record");
         return;
     }
     let Some(recorded) = all.get(what) else {
