@@ -1,7 +1,7 @@
 //! What every BRDF keeps (reciprocity, energy, no NaN), what each is held to, and the integrals over them.
 
 use model::allowed::{Singles, check};
-use model::sensor::Noise;
+use model::noise::Noise;
 use model::surface;
 use nanospectra::matter::scattering::{reciprocity, rho_dh, rho_hd, rho_hh, scattered, white_furnace};
 use nanospectra::matter::{

@@ -6,30 +6,11 @@ use model::allowed::{Singles, check};
 use model::check::Check;
 use model::film::{self, C};
 use model::fresnel::{absorbed, reflectances};
+use model::noise::Noise;
 use nanospectra::matter::{Conductor, Dielectric, Layer, Medium, Stack, ThinFilm};
 
 /// The unit of rounding: half the distance between 1 and the next f32.
 const EPS: f64 = 1.0 / 16_777_216.0;
-
-/// Numbers without a pattern.
-struct Noise(u64);
-
-impl Noise {
-    /// 0..1.
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / 9_007_199_254_740_992.0
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f32 {
-        (low + (high - low) * self.next()) as f32
-    }
-
-    /// Evenly in the logarithm.
-    fn decades(&mut self, low: f64, high: f64) -> f32 {
-        (low * (high / low).powf(self.next())) as f32
-    }
-}
 
 fn in_eps(check: &mut Check, place: &str, got: f32, exact: f64) {
     check.value(place, (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
@@ -77,7 +58,7 @@ fn next_to_no_index_lets_in_next_to_no_light() {
     let (mut compared, n) = (0, 200_000);
     for _ in 0..n {
         let eta = noise.decades(1e-3, 0.7);
-        let sine2 = f64::from(eta).powi(2) * noise.next();
+        let sine2 = f64::from(eta).powi(2) * noise.uniform();
         let cos_i = (1.0 - sine2).sqrt() as f32;
         let g2 = f64::from(eta).powi(2) - (1.0 - f64::from(cos_i).powi(2));
         if g2 < 1e-3 * f64::from(eta).powi(2) {
@@ -178,7 +159,7 @@ fn films_of_any_kind_share_out_light_as_the_matrix_does() {
     shares_of_a_stack(&mut stack_check, one_layer, 1.005, 675.44, 0.1085);
     for _ in 1..n {
         let layers = std::array::from_fn(|_| {
-            let k = if noise.next() < 0.5 { 0.0 } else { noise.decades(1e-4, 0.3) };
+            let k = if noise.uniform() < 0.5 { 0.0 } else { noise.decades(1e-4, 0.3) };
             layer([noise.decades(1.2, 2.6), k, noise.decades(1.0, 700.0)])
         });
         let substrate = noise.decades(1.0, 4.0);

@@ -3,6 +3,7 @@
 
 use model::allowed::{Singles, check};
 use model::geometry::{self as exact, gauss, wide};
+use model::noise::Noise;
 use nanospectra::math::Fast;
 use nanospectra::radiometry::SurfaceElement;
 use nanospectra::radiometry::form_factor::{
@@ -57,20 +58,6 @@ fn rectangles_at_a_right_angle_keep_their_form_factor() {
     assert!((strip / perpendicular_rectangles(1.0, 1e-4, 1.0) - 1.0).abs() < 3e-6, "{strip}");
 }
 
-/// Numbers without a pattern from -1 to 1.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 / 8_388_608.0 - 1.0
-    }
-
-    fn point(&mut self) -> [f32; 3] {
-        std::array::from_fn(|_| self.next())
-    }
-}
-
 /// A quadrilateral of this size about a place, facing the origin, not too slender.
 fn quadrilateral(noise: &mut Noise, middle: [f32; 3], size: f32) -> [[f32; 3]; 4] {
     loop {
@@ -110,7 +97,7 @@ fn slender_polygons_lose_digits() {
     let (mut check, mut compared) = (check("slender polygons above the horizon"), 0);
     let mut noise = Noise(2);
     for _ in 0..40_000 {
-        let width = 10f32.powf(-2.5 + 1.5 * noise.next());
+        let width = 10f32.powf(-2.5 + 1.5 * noise.offset());
         let middle = exact::unit(wide(noise.point())).map(|x| x as f32);
         let corners = rectangle(&mut noise, middle, [width, 20.0 * width]);
         let normal = exact::unit(wide(noise.point()));
@@ -131,9 +118,9 @@ fn polygons_keep_their_form_factor_however_small_and_tilted() {
     let mut noise = Noise(1);
     for around in [3.0, 1.0, 0.6, 0.4, 0.3, 0.2, 0.14, 0.1, 0.03, 1e-2, 1e-3, 1e-4f32] {
         for _ in 0..2000 {
-            let size = around * (1.0 + 0.3 * noise.next());
+            let size = around * (1.0 + 0.3 * noise.offset());
             let middle = exact::unit(wide(noise.point())).map(|x| x as f32);
-            let corners = if noise.next() < 0.0 {
+            let corners = if noise.offset() < 0.0 {
                 quadrilateral(&mut noise, middle, size)
             } else {
                 rectangle(&mut noise, middle, [size; 2])

@@ -5,6 +5,7 @@
 use model::allowed::check;
 use model::check::Check;
 use model::geometry::{self as exact, gauss, wide};
+use model::noise::Noise;
 use nanospectra::math::{Fast, Portable};
 use nanospectra::radiometry::form_factor::{coaxial_discs, to_disc, to_sphere};
 use nanospectra::radiometry::solid_angle::{
@@ -30,23 +31,9 @@ fn sweep(low: f64, high: f64, n: usize) -> impl Iterator<Item = f32> {
     (0..n).map(move |k| (low * (high / low).powf(k as f64 / (n - 1) as f64)) as f32)
 }
 
-/// Numbers without a pattern from -1 to 1.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 / 8_388_608.0 - 1.0
-    }
-
-    /// 1e-3..=1e3, evenly in the logarithm.
-    fn length(&mut self) -> f32 {
-        10f32.powf(3.0 * self.next())
-    }
-
-    fn point(&mut self) -> [f32; 3] {
-        std::array::from_fn(|_| self.next())
-    }
+/// 1e-3..=1e3, evenly in the logarithm.
+fn length(noise: &mut Noise) -> f32 {
+    10f32.powf(3.0 * noise.offset())
 }
 
 #[test]
@@ -68,7 +55,7 @@ fn far_spheres_keep_their_solid_angle() {
     let mut check = check("spheres, in eps");
     let mut noise = Noise(8);
     for ratio in sweep(1e-12, 1.0, 100_000) {
-        let radius = 1.0 + noise.next().abs();
+        let radius = 1.0 + noise.offset().abs();
         let distance = (radius / ratio).max(radius);
         let place = format!("{radius} m at {distance} m");
         compare(&mut check, &place, sphere(radius, distance), exact::sphere(radius.into(), distance.into()));
@@ -94,7 +81,7 @@ fn far_coaxial_discs_keep_their_form_factor() {
     let mut check = check("coaxial discs, in eps");
     let mut noise = Noise(9);
     for ratio in sweep(1e-8, 1e3, 100_000) {
-        let [r1, r2] = [0, 1].map(|_| ratio * (1.0 + noise.next().abs()));
+        let [r1, r2] = [0, 1].map(|_| ratio * (1.0 + noise.offset().abs()));
         let place = format!("{r1} m and {r2} m");
         compare(
             &mut check,
@@ -161,7 +148,7 @@ fn huge_triangles_fill_the_hemisphere() {
     for height in [1e-1f32, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
         for _ in 0..100 {
             // Around the observer at no less than a fifth of the size.
-            let [x, y] = [0, 1].map(|_| 0.2 * noise.next());
+            let [x, y] = [0, 1].map(|_| 0.2 * noise.offset());
             let corners = [[1.0 + x, y, height], [-0.7 + x, 0.9 + y, height], [-0.8 + x, -1.1 + y, height]];
             compare(
                 &mut check,
@@ -183,10 +170,10 @@ fn triangles_with_opposite_vertices_lose_a_little_more() {
     for case in 0..count {
         let [a, c] = [0, 1].map(|_| exact::unit(wide(noise.point())));
         // Opposite up to a tenth, in other lengths.
-        let tilt = 0.1 * f64::from(noise.next());
+        let tilt = 0.1 * f64::from(noise.offset());
         let b = exact::plus(exact::times(a, -1.0), exact::times(exact::unit(wide(noise.point())), tilt));
         let drawn =
-            [a, b, c].map(|corner| exact::times(corner, noise.length().sqrt().into()).map(|x| x as f32));
+            [a, b, c].map(|corner| exact::times(corner, length(&mut noise).sqrt().into()).map(|x| x as f32));
         let worst = [[0.6295, -0.2622, 0.0515], [-0.9653, 0.3820, -0.0202], [-0.9356, -0.1962, 0.1194]];
         let corners = if case == 0 { worst } else { drawn };
         let exact = exact::triangle(corners.map(wide));
@@ -229,7 +216,7 @@ fn discs_keep_their_solid_angle_on_and_off_their_axis() {
     }
     let mut noise = Noise(13);
     for _ in 0..100_000 {
-        let [radius, distance] = [0, 1].map(|_| noise.length());
+        let [radius, distance] = [0, 1].map(|_| length(&mut noise));
         let place = format!("{radius} m at {distance} m");
         compare(&mut on, &place, disc(radius, distance), exact::disc(radius.into(), distance.into()));
     }
@@ -289,7 +276,7 @@ fn rectangles_keep_their_solid_angle() {
     }
     let mut noise = Noise(14);
     for _ in 0..200_000 {
-        let [width, height, distance] = [0, 1, 2].map(|_| noise.length());
+        let [width, height, distance] = [0, 1, 2].map(|_| length(&mut noise));
         let exact = exact::rectangle(width.into(), height.into(), distance.into());
         let place = format!("{width} x {height} at {distance}");
         compare(&mut check, &place, rectangle(width, height, distance), exact);

@@ -3,7 +3,8 @@
 
 use model::allowed::check;
 use model::check::Check;
-use model::sensor::{self, Noise, wide};
+use model::noise::Noise;
+use model::sensor::{self, wide};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, nominal};

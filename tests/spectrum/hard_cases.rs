@@ -6,6 +6,7 @@
 use model::allowed::check;
 use model::check::Check;
 use model::csv::golden;
+use model::noise::Noise;
 use model::planck;
 use nanospectra::color::Xyz;
 use nanospectra::light::{blackbody, blackbody_relative, blackbody_relative_with, blackbody_with};
@@ -150,7 +151,7 @@ fn the_shape_of_a_black_body_is_right_where_both_ends_underflow() {
     let mut points = 0;
     let mut noise = Noise(5);
     for nm in (0..=940).map(|step| 360.0 + 0.5 * step as f32) {
-        let random = 100.0 * 10f32.powf(noise.next());
+        let random = 100.0 * 10f32.powf(noise.share());
         for kelvin in
             [random, 100.0, 150.0, 200.0, 250.0, 300.0, 1000.0, 2856.0, 6500.0, 2.5e4, 1e5, 1e8, 1e12]
         {
@@ -230,26 +231,12 @@ fn cube_roots_of_lab_are_better_than_a_power() {
     assert_eq!((cbrt(0.0), cbrt(-0.027), cbrt(1.0)), (0.0, -cbrt(0.027), 1.0));
 }
 
-/// Numbers without a pattern from 0 to 1.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 * EPS as f32
-    }
-
-    fn some<const N: usize>(&mut self) -> [f32; N] {
-        std::array::from_fn(|_| self.next())
-    }
-}
-
 /// Errors of sums of `N` products, in units of eps of the sum of their sizes.
 fn sums<const N: usize, G: Grid>(what: &'static str, scale: f32) {
     let mut check = check(what);
     let mut noise = Noise(N as u64);
     for trial in 0..20_000 {
-        let (weights, values) = (noise.some::<N>(), noise.some::<N>().map(|v| v * scale));
+        let (weights, values) = (noise.shares::<N>(), noise.shares::<N>().map(|v| v * scale));
         let eye = Observer::<1, N, Power, G>::from_weights([weights]);
         let [got] = eye.sees(&Spectrum::from_bins(values));
         let exact: f64 = weights.iter().zip(values).map(|(w, v)| f64::from(*w) * f64::from(v)).sum();
@@ -291,7 +278,7 @@ fn flushing(weights: &[f32], values: &[f32]) -> f32 {
 #[test]
 fn sums_are_the_same_on_cores_that_flush_subnormals() {
     let mut noise = Noise(44);
-    let light = Fine::<Power>::from_bins(noise.some());
+    let light = Fine::<Power>::from_bins(noise.shares());
     for scale in [1.0, 1e-20, 1e-30] {
         let light = light * scale;
         for (eye, sees) in [
@@ -315,7 +302,7 @@ fn power_is_summed_as_carefully() {
     let mut check = check("power of 471 bins, in eps");
     let mut noise = Noise(3);
     for trial in 0..20_000 {
-        let light = Light::<471, Nodes<360, 830>>::from_bins(noise.some());
+        let light = Light::<471, Nodes<360, 830>>::from_bins(noise.shares());
         let exact: f64 = light.values().iter().map(|v| f64::from(*v)).sum();
         check.value(&format!("trial {trial}"), (f64::from(light.power()) - exact).abs() / (exact * EPS), 0.0);
     }

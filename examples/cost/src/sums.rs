@@ -3,6 +3,7 @@
 use crate::cells::{COUNTED, TIME, counted};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
+use model::noise::Noise;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Grid, Interpolation, Nodes, Observer, Outside, Spectrum};
@@ -53,7 +54,7 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
     let mut noise = Noise(N as u64);
     let mut errors = [[0.0_f64; 2]; WAYS.len()];
     for _ in 0..SURFACES {
-        let values = noise.some::<N>();
+        let values = noise.shares::<N>();
         for (weights, lanes) in eye.weights().iter().zip(eye.sees(&Spectrum::from_bins(values))) {
             let exact: f64 = weights.iter().zip(values).map(|(w, v)| f64::from(*w) * f64::from(v)).sum();
             let sums =
@@ -65,7 +66,7 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
             }
         }
     }
-    let ([weights, ..], values) = (eye.weights(), noise.some::<N>());
+    let ([weights, ..], values) = (eye.weights(), noise.shares::<N>());
     let one = Observer::<1, N, Factor, G>::from_weights([*weights]);
     let surface = Spectrum::<Factor, N, G>::from_bins(values);
     let time =
@@ -98,18 +99,4 @@ fn neumaier(a: &[f32], b: &[f32]) -> f32 {
         sum = next;
     }
     sum + lost
-}
-
-/// Numbers without a pattern from 0 to 1, the same every time.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 * E as f32
-    }
-
-    fn some<const N: usize>(&mut self) -> [f32; N] {
-        std::array::from_fn(|_| self.next())
-    }
 }
