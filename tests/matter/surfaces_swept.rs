@@ -9,13 +9,6 @@ use model::fresnel::{absorbed, reflectances};
 use model::noise::Noise;
 use nanospectra::matter::{Conductor, Dielectric, Layer, Medium, Stack, ThinFilm};
 
-/// The unit of rounding: half the distance between 1 and the next f32.
-const EPS: f64 = 1.0 / 16_777_216.0;
-
-fn in_eps(check: &mut Check, place: &str, got: f32, exact: f64) {
-    check.value(place, (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
-}
-
 #[test]
 fn glasses_of_any_index_reflect_what_they_should() {
     let (mut s_check, mut p_check) =
@@ -29,7 +22,7 @@ fn glasses_of_any_index_reflect_what_they_should() {
         let (eta, cos_i) = if case == 0 { (1.008_85, 0.997_14) } else { (1.0 + contrast, cos_i) };
         let (s, p) = reflectances([eta.into(), 0.0], cos_i.into());
         let got = Dielectric::new(eta).fresnel(cos_i);
-        in_eps(&mut s_check, &format!("{eta}, {cos_i}"), got.s, s);
+        s_check.in_eps(&format!("{eta}, {cos_i}"), got.s, s);
         p_check.add(&format!("{eta}, {cos_i}"), got.p, p);
     }
     s_check.tight(n);
@@ -44,8 +37,8 @@ fn next_to_no_index_lets_in_next_to_no_light() {
         let exact = 4.0 * f64::from(eta) / (1.0 + f64::from(eta)).powi(2);
         let (glass, metal) = (Dielectric::new(eta), Conductor::new(eta, 0.0));
         for got in [glass.entering(1.0), metal.entering(1.0)] {
-            in_eps(&mut straight, &format!("{eta} s"), got.s, exact);
-            in_eps(&mut straight, &format!("{eta} p"), got.p, exact);
+            straight.in_eps(&format!("{eta} s"), got.s, exact);
+            straight.in_eps(&format!("{eta} p"), got.p, exact);
         }
         for got in [glass.fresnel(1.0).s, glass.fresnel(1.0).p] {
             assert!((f64::from(got) - (1.0 - exact)).abs() < 1.2e-7, "{eta}: {got}");
@@ -95,10 +88,10 @@ fn metals_of_any_index_reflect_and_absorb_what_they_should() {
         let index = [f64::from(eta), f64::from(k)];
         let (s, p) = reflectances(index, cos_i.into());
         let (s_in, p_in) = absorbed(index, cos_i.into());
-        in_eps(&mut reflected, &place, metal.fresnel(cos_i).s, s);
+        reflected.in_eps(&place, metal.fresnel(cos_i).s, s);
         p_check.add(&place, metal.fresnel(cos_i).p, p);
-        in_eps(&mut share, &place, metal.entering(cos_i).s, s_in);
-        in_eps(&mut share, &place, metal.entering(cos_i).p, p_in);
+        share.in_eps(&place, metal.entering(cos_i).s, s_in);
+        share.in_eps(&place, metal.entering(cos_i).p, p_in);
     }
     reflected.tight(n);
     p_check.tight(n);

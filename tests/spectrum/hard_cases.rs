@@ -3,8 +3,8 @@
 //! their own; the locus has `cct.rs`, the roots have `backends.rs`.)
 #![cfg(feature = "libm")]
 
-use model::allowed::check;
-use model::check::Check;
+use model::allowed::{Singles, check};
+use model::check::{Check, EPS};
 use model::csv::golden;
 use model::noise::Noise;
 use model::planck;
@@ -14,8 +14,6 @@ use nanospectra::math::{Libm, Math, Portable, cbrt};
 use nanospectra::observer::{ALPHA_OPIC, CIE_1931};
 use nanospectra::{Bins, Fine, Grid, Light, Nodes, Observer, Power, Spectrum};
 
-/// The unit of rounding: half the distance between 1 and the next f32.
-const EPS: f64 = 1.0 / 16_777_216.0;
 /// Below this `blackbody` gives zero.
 const FLUSHED: f64 = 1e-38;
 
@@ -188,31 +186,27 @@ fn short_names_mean_the_portable_backend() {
 fn micromath_is_no_backend_for_colour() {
     use nanospectra::math::Micromath;
     let mut check = check("Planck by micromath");
-    let mut points = 0;
     for nm in (360..=830).step_by(10) {
         let nm = nm as f32;
         for kelvin in [500.0, 1000.0, 2000.0, 2856.0, 4000.0, 6500.0, 10_000.0, 1e5] {
             let got = blackbody_with::<Micromath>(nm, kelvin);
             check.value(&format!("{nm} nm, {kelvin} K"), got.into(), radiance(nm, kelvin));
-            points += 1;
         }
     }
-    check.tight(points);
+    check.tight_over_all();
 }
 
 #[test]
 fn thin_absorption_is_not_lost() {
     let mut check = check("1 - exp(-tau), in eps");
-    let mut points = 0;
     for step in 0..=1000 {
         // 1e-12 to 10, equally spaced in the logarithm; rows 45: 1e-6 and 1e-8.
         let tau = (1e-12 * 10f64.powf(13.0 * f64::from(step) / 1000.0)) as f32;
         let exact = -(-f64::from(tau)).exp_m1();
         let got = -Portable::expm1(-tau);
-        check.value(&format!("tau {tau:e}"), (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
-        points += 1;
+        check.in_eps(&format!("tau {tau:e}"), got, exact);
     }
-    check.tight(points);
+    check.tight_over_all();
     assert_eq!(1.0 - Portable::exp(-1e-8), 0.0, "the naive form loses it all");
 }
 
@@ -223,7 +217,7 @@ fn cube_roots_of_lab_are_better_than_a_power() {
     while bits <= 1.0f32.to_bits() {
         let x = f32::from_bits(bits);
         let exact = f64::from(x).cbrt();
-        check.value(&format!("{x}"), (f64::from(cbrt(x)) - exact).abs() / (exact * EPS), 0.0);
+        check.in_eps(&format!("{x}"), cbrt(x), exact);
         points += 1;
         bits += 37;
     }
@@ -240,7 +234,7 @@ fn sums<const N: usize, G: Grid>(what: &'static str, scale: f32) {
         let eye = Observer::<1, N, Power, G>::from_weights([weights]);
         let [got] = eye.sees(&Spectrum::from_bins(values));
         let exact: f64 = weights.iter().zip(values).map(|(w, v)| f64::from(*w) * f64::from(v)).sum();
-        check.value(&format!("trial {trial}"), (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
+        check.in_eps(&format!("trial {trial}"), got, exact);
     }
     check.tight(20_000);
 }
@@ -304,7 +298,7 @@ fn power_is_summed_as_carefully() {
     for trial in 0..20_000 {
         let light = Light::<471, Nodes<360, 830>>::from_bins(noise.shares());
         let exact: f64 = light.values().iter().map(|v| f64::from(*v)).sum();
-        check.value(&format!("trial {trial}"), (f64::from(light.power()) - exact).abs() / (exact * EPS), 0.0);
+        check.in_eps(&format!("trial {trial}"), light.power(), exact);
     }
     check.tight(20_000);
 }

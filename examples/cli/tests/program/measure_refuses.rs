@@ -110,22 +110,5 @@ fn sprague_names_the_row_that_is_off_the_step() {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let help = MEASURE.run(&["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for option in [
-        "--observer",
-        "--reflectance",
-        "--light",
-        "--unit",
-        "--interpolation",
-        "--json",
-        "--svg",
-        "--compare",
-    ] {
-        assert!(help.out.contains(option), "{option}");
-    }
-    assert_eq!(
-        MEASURE.run(&["--version"]).out.trim(),
-        concat!("nanospectra-measure ", env!("CARGO_PKG_VERSION"))
-    );
+    MEASURE.assert_helps("--observer --reflectance --light --unit --interpolation --json --svg --compare");
 }

@@ -106,17 +106,7 @@ fn a_message_shows_how_a_long_cell_begins() {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let help = PAINT.run(&["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for option in
-        ["--rgb", "--space", "--linear", "--method", "--beyond", "--light", "--grid", "--json", "--svg"]
-    {
-        assert!(help.out.contains(option), "{option}");
-    }
+    PAINT.assert_helps("--rgb --space --linear --method --beyond --light --grid --json --svg");
     // What the space's own transfer function is; `paint.rs` measures it.
-    assert!(help.out.contains("bt2020 by a power of 2.4 (BT.1886)"));
-    assert_eq!(
-        PAINT.run(&["--version"]).out.trim(),
-        concat!("nanospectra-paint ", env!("CARGO_PKG_VERSION"))
-    );
+    assert!(PAINT.says(&["--help"]).contains("bt2020 by a power of 2.4 (BT.1886)"));
 }

@@ -91,13 +91,5 @@ fn files_about_the_chip_are_checked_as_strictly() {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let help = SENSOR.run_with(b"", &["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for word in ["--sensor", "--responsivity", "--calibration", "--dark", "--json", "astep", "NOMINAL"] {
-        assert!(help.out.contains(word), "{word}");
-    }
-    assert_eq!(
-        SENSOR.run_with(b"", &["--version"]).out.trim(),
-        concat!("nanospectra-sensor ", env!("CARGO_PKG_VERSION"))
-    );
+    SENSOR.assert_helps("--sensor --responsivity --calibration --dark --json astep NOMINAL");
 }
