@@ -1,5 +1,6 @@
 //! The integer path against the f64 model and at the extremes: it cannot overflow, whatever the counts.
 
+use crate::TO_XYZ;
 use model::allowed::check;
 use model::cct::planckian;
 use model::planck::C2_CIE;
@@ -10,12 +11,6 @@ use nanospectra::sensor::{Calibration, Exposure, Meter, Unusable, nominal};
 use nanospectra::{Curve, Nodes, Observer, Power};
 use proptest::prelude::*;
 
-/// What a fit gives for the AS7341 (lux), negative weights and all.
-const TO_XYZ: Calibration<8> = Calibration::from_rows([
-    [2.283, 18.13, 2.785, 1.332, 14.85, 43.1, 23.85, -0.2993],
-    [-0.5321, 2.728, 0.4422, 26.31, 40.98, 26.91, 9.224, -0.1845],
-    [11.87, 86.97, 37.38, -2.114, 2.34, -1.107, 0.37, -0.09507],
-]);
 const EXPOSURE: Exposure = Exposure::as7341(16.0, 63, 999);
 static METER: FixedMeter<8> = FixedMeter::new(&EXPOSURE, &TO_XYZ).unwrap();
 

@@ -1,6 +1,6 @@
 //! Sums of products, by the order of their terms.
 
-use crate::cells::{COUNTED, TIME, counted};
+use crate::cells::{priced, with_price};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
 use model::noise::Noise;
@@ -28,14 +28,12 @@ pub fn tables(runs: usize) -> Vec<Table> {
     rows.extend(of::<81, Nodes<380, 780>>(runs));
     rows.extend(of::<401, Nodes<380, 780>>(runs));
     rows.extend(of::<471, Nodes<360, 830>>(runs));
-    let mut columns = vec![
+    let columns = with_price(vec![
         Column::key("terms", "terms"),
         Column::key("order", "order"),
         Column::figure("mean_e", "mean error, e"),
         Column::figure("max_e", "max"),
-    ];
-    columns.extend(COUNTED);
-    columns.push(TIME);
+    ]);
     vec![Table {
         id: "sums",
         title: "Sums of products of positive f32".into(),
@@ -79,10 +77,8 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
     ];
     let ways = WAYS.iter().zip(errors).zip(times);
     ways.map(|(((name, word), [mean, max]), time)| {
-        let mut row = vec![Cell::key(N), Cell::key(name), Cell::figure(mean), Cell::figure(max)];
-        row.extend(counted(&format!("sum-{N}-{word}")));
-        row.push(Cell::time(time));
-        row
+        let row = vec![Cell::key(N), Cell::key(name), Cell::figure(mean), Cell::figure(max)];
+        priced(row, &format!("sum-{N}-{word}"), time)
     })
     .collect()
 }

@@ -77,8 +77,12 @@ impl Check {
 
     /// As [`tight`](Check::tight), of as many numbers as there were.
     pub fn tight_over_all(self) {
+        self.tight_over_more_than(0);
+    }
+
+    pub fn tight_over_more_than(self, least: usize) {
         let compared = self.compared;
-        assert!(compared > 0, "{}: nothing was compared", self.what);
+        assert!(compared > least, "{}: {compared} numbers compared", self.what);
         self.tight(compared);
     }
 

@@ -52,8 +52,7 @@ const BAD: &[(&str, usize, &str)] = &[
 #[test]
 fn bad_input_ends_with_one_line_that_says_where() {
     for (text, line, word) in BAD {
-        let outcome = MEASURE.run_with(text, &["-"]);
-        assert_refused(&outcome, &format!("stdin:{line}: "), word);
+        MEASURE.refuses_of(text, &["-"], &format!("stdin:{line}: "), word);
     }
 }
 
@@ -96,16 +95,14 @@ fn bad_files_and_options_end_with_one_line() {
         if arguments == &["--reflectance", two.as_str()] {
             fs::write(&two, "500 1 1\n505 2 2.5\n").expect("written");
         }
-        let outcome = MEASURE.run(arguments);
-        assert_refused(&outcome, start, word);
+        MEASURE.refuses(arguments, start, word);
     }
 }
 
 #[test]
 fn sprague_names_the_row_that_is_off_the_step() {
     let input = "400 1\n405 1\n411 1\n415 1\n420 1\n425 1\n";
-    let outcome = MEASURE.run_with(input, &["-", "--interpolation", "sprague"]);
-    assert_refused(&outcome, "stdin:3: ", "linear");
+    MEASURE.refuses_of(input, &["-", "--interpolation", "sprague"], "stdin:3: ", "linear");
 }
 
 #[test]

@@ -34,8 +34,7 @@ const BAD: &[(&[u8], usize, &str)] = &[
 #[test]
 fn bad_input_ends_with_one_line_that_says_where() {
     for (text, line, word) in BAD {
-        let outcome = PAINT.run_with(text, &["0,0,0", "-"]);
-        assert_refused(&outcome, &format!("stdin:{line}: "), word);
+        PAINT.refuses_of(text, &["0,0,0", "-"], &format!("stdin:{line}: "), word);
     }
 }
 
@@ -68,8 +67,7 @@ fn bad_words_and_options_end_with_one_line() {
         (&["--svg", file], &format!("--svg {file}: "), "directory"),
     ];
     for (arguments, start, word) in cases {
-        let outcome = PAINT.run(arguments);
-        assert_refused(&outcome, start, word);
+        PAINT.refuses(arguments, start, word);
     }
     for grid in ["bins:5,400,700", "nodes:81", "nodes:81,380,781", "nodes: 81,380,780", "", "81"] {
         let outcome = PAINT.run(&["--grid", grid, "0,0,0"]);

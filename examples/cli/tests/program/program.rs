@@ -1,6 +1,6 @@
 //! The program without a command, with a wrong one, and with none of its own words.
 
-use crate::run::{Program, assert_refused};
+use crate::run::Program;
 
 const NANOSPECTRA: Program = Program("", module_path!());
 
@@ -25,14 +25,9 @@ fn help_names_every_command_with_a_sentence() {
 #[test]
 fn a_word_that_is_no_command_is_refused_on_one_line() {
     for word in ["lamp.csv", "measur", "help"] {
-        let refused = NANOSPECTRA.run(&[word]);
-        assert_refused(&refused, &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
+        NANOSPECTRA.refuses(&[word], &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
     }
     let long = "x".repeat(300);
-    assert_refused(
-        &NANOSPECTRA.run(&[&long]),
-        &format!("nanospectra: '{}..' ", "x".repeat(40)),
-        "no command",
-    );
-    assert_refused(&NANOSPECTRA.run(&["--json"]), "nanospectra: ", "--json");
+    NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "no command");
+    NANOSPECTRA.refuses(&["--json"], "nanospectra: ", "--json");
 }

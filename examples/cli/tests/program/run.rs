@@ -53,6 +53,17 @@ impl Program {
         self.says_to("", arguments)
     }
 
+    /// [`assert_refused`] of a run.
+    #[track_caller]
+    pub fn refuses(&self, arguments: &[&str], start: &str, word: &str) {
+        assert_refused(&self.run(arguments), start, word);
+    }
+
+    #[track_caller]
+    pub fn refuses_of(&self, input: impl AsRef<[u8]>, arguments: &[&str], start: &str, word: &str) {
+        assert_refused(&self.run_with(input, arguments), start, word);
+    }
+
     /// Its help has all of these words, and its version is the package's.
     pub fn assert_helps(&self, words: &str) {
         let help = self.says(&["--help"]);

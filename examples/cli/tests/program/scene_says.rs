@@ -1,6 +1,6 @@
 //! What the command scene says and draws: levels, luminances, shares, colours, help.
 
-use crate::run::{Program, assert_near, assert_refused, number};
+use crate::run::{Program, assert_near, number};
 use serde_json::Value;
 use std::fs;
 
@@ -125,8 +125,7 @@ fn a_picture_is_drawn_once() {
     let named = folder.join("mine.SVG");
     let named = named.to_str().expect("UTF-8");
     assert_eq!(SCENE.run(&["wine", "--svg", named]).code, Some(0));
-    let again = SCENE.run(&["wine", "--svg", named]);
-    assert_refused(&again, &format!("--svg {named}: "), "already");
+    SCENE.refuses(&["wine", "--svg", named], &format!("--svg {named}: "), "already");
 }
 
 #[test]
