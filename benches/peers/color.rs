@@ -5,6 +5,7 @@ use colorimetry::illuminant::Illuminant;
 use colorimetry::observer::Observer as StdObserver;
 use colorimetry::spectrum::Spectrum as StdSpectrum;
 use colorimetry::xyz::XYZ;
+use model::noise::Noise;
 use model::{cct, cri, delta_e, lab, transfer};
 use nanospectra::color::{Lab, Rgb, Srgb, Xyz, ciede2000, cri as rendering, tm30};
 use nanospectra::{Fine, Interpolation, Outside, Power, light};
@@ -25,15 +26,6 @@ pub fn all(races: &mut Races) {
     srgb(races);
 }
 
-/// Uniform in 0..1.
-fn random() -> impl FnMut() -> f64 {
-    let mut state = 1u64;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 /// One after the other, round and round.
 fn each<'a, T, R>(inputs: &'a [T], f: impl Fn(&T) -> R + 'a) -> impl FnMut() -> R + 'a {
     let mut next = inputs.iter().cycle();
@@ -42,9 +34,10 @@ fn each<'a, T, R>(inputs: &'a [T], f: impl Fn(&T) -> R + 'a) -> impl FnMut() -> 
 
 /// Sixty-four near-whites, 1700 to 20000 K.
 fn temperature(races: &mut Races) {
-    let mut random = random();
-    let points: Vec<[f64; 2]> =
-        (0..64).map(|_| cct::uv_at(1e6 / (50.0 + 530.0 * random()), 0.04 * random() - 0.02)).collect();
+    let mut noise = Noise(1);
+    let points: Vec<[f64; 2]> = (0..64)
+        .map(|_| cct::uv_at(1e6 / (50.0 + 530.0 * noise.uniform()), 0.04 * noise.uniform() - 0.02))
+        .collect();
     // u = 4 X / (X + 15 Y + 3 Z), v = 6 Y / (..), with Y = 1.
     let xyz = |[u, v]: &[f64; 2]| [1.5 * u / v, 1.0, (4.0 - u - 10.0 * v) / (2.0 * v)];
     let ours: Vec<Xyz> = points.iter().map(|p| xyz(p).map(|v| v as f32).into()).collect();
@@ -96,8 +89,8 @@ fn color_rendering(races: &mut Races) {
 fn lab_of_xyz(races: &mut Races) {
     // The white as `palette` has it.
     let white: [f32; 3] = [0.950_47, 1.0, 1.088_83];
-    let mut random = random();
-    let colours: Vec<[f32; 3]> = (0..1024).map(|_| white.map(|w| w * random() as f32)).collect();
+    let mut noise = Noise(1);
+    let colours: Vec<[f32; 3]> = (0..1024).map(|_| white.map(|w| w * noise.uniform() as f32)).collect();
     let theirs: Vec<TheirXyz> = colours.iter().map(|[x, y, z]| TheirXyz::new(*x, *y, *z)).collect();
     let ours: Vec<Xyz> = colours.iter().map(|c| Xyz::from(*c)).collect();
     let mut worst = [0.0f64; 2];
@@ -123,10 +116,11 @@ fn lab_of_xyz(races: &mut Races) {
 
 /// Pairs of surfaces anywhere, and as many that nearly match.
 fn difference(races: &mut Races) {
-    let mut random = random();
+    let mut noise = Noise(1);
     let mut pairs = Vec::new();
     for k in 0..1024 {
-        let mut colour = || [100.0 * random(), 200.0 * random() - 100.0, 200.0 * random() - 100.0];
+        let mut colour =
+            || [100.0 * noise.uniform(), 200.0 * noise.uniform() - 100.0, 200.0 * noise.uniform() - 100.0];
         let (one, far) = (colour(), colour());
         let near = [0, 1, 2].map(|i| one[i] + 0.01 * (far[i] - one[i]));
         pairs.push([one, if k % 2 == 0 { far } else { near }].map(|lab| lab.map(|v| v as f32)));
@@ -154,8 +148,8 @@ fn difference(races: &mut Races) {
 }
 
 fn srgb(races: &mut Races) {
-    let mut random = random();
-    let colours: Vec<[f32; 3]> = (0..1024).map(|_| [(); 3].map(|()| random() as f32)).collect();
+    let mut noise = Noise(1);
+    let colours: Vec<[f32; 3]> = (0..1024).map(|_| [(); 3].map(|()| noise.uniform() as f32)).collect();
     let ours: Vec<Rgb<Srgb>> = colours.iter().map(|[r, g, b]| Rgb::new(*r, *g, *b)).collect();
     let theirs: Vec<LinSrgb<f32>> = colours.iter().map(|[r, g, b]| LinSrgb::new(*r, *g, *b)).collect();
     let encode = |rgb: &LinSrgb<f32>| palette::Srgb::<f32>::from_linear(*rgb);

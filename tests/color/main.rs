@@ -7,3 +7,13 @@ mod rgb_and_adaptation;
 mod spaces;
 mod textbook_slips;
 mod transfer;
+
+use nanospectra::color::Xyz;
+
+fn narrow(v: [f64; 3]) -> [f32; 3] {
+    v.map(|v| v as f32)
+}
+
+fn wide(v: Xyz) -> [f64; 3] {
+    v.to_array().map(f64::from)
+}

@@ -1,5 +1,6 @@
 //! Chromatic adaptation, RGB spaces and gamut mapping: goldens 04, 09 and 12.
 
+use crate::{narrow, wide};
 use model::allowed::{Singles, check};
 use model::check::Check;
 use model::csv::golden;
@@ -10,14 +11,6 @@ use nanospectra::color::{
     VonKries, Xyz,
 };
 use proptest::prelude::*;
-
-fn narrow(v: [f64; 3]) -> [f32; 3] {
-    v.map(|v| v as f32)
-}
-
-fn wide(v: Xyz) -> [f64; 3] {
-    v.to_array().map(f64::from)
-}
 
 /// The matrices of golden 09 made by one kind of cones.
 fn adaptation<C: Cones>(name: &str, rows: usize, [fixed, run, sample]: &mut [Check; 3]) {

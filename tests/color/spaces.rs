@@ -3,6 +3,7 @@
 //! "golden" compares with numbers computed from more digits than an f32 holds, so what the
 //! rounding of the input does is included; "model" gives the f64 model the same rounded input.
 
+use crate::{narrow, wide};
 use model::allowed::{Singles, check};
 use model::csv::{Row, golden};
 use model::interpolation::{Interpolation, Outside};
@@ -14,14 +15,6 @@ use nanospectra::math::Fast;
 use proptest::prelude::*;
 
 const D65: Xyz = Srgb::WHITE_XYZ;
-
-fn narrow(v: [f64; 3]) -> [f32; 3] {
-    v.map(|v| v as f32)
-}
-
-fn wide(v: Xyz) -> [f64; 3] {
-    v.to_array().map(f64::from)
-}
 
 fn lab_array(lab: Lab) -> [f32; 3] {
     [lab.l, lab.a, lab.b]

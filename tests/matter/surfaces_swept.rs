@@ -6,34 +6,8 @@ use model::allowed::{Singles, check};
 use model::check::Check;
 use model::film::{self, C};
 use model::fresnel::{absorbed, reflectances};
+use model::noise::Noise;
 use nanospectra::matter::{Conductor, Dielectric, Layer, Medium, Stack, ThinFilm};
-
-/// The unit of rounding: half the distance between 1 and the next f32.
-const EPS: f64 = 1.0 / 16_777_216.0;
-
-/// Numbers without a pattern.
-struct Noise(u64);
-
-impl Noise {
-    /// 0..1.
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / 9_007_199_254_740_992.0
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f32 {
-        (low + (high - low) * self.next()) as f32
-    }
-
-    /// Evenly in the logarithm.
-    fn decades(&mut self, low: f64, high: f64) -> f32 {
-        (low * (high / low).powf(self.next())) as f32
-    }
-}
-
-fn in_eps(check: &mut Check, place: &str, got: f32, exact: f64) {
-    check.value(place, (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
-}
 
 #[test]
 fn glasses_of_any_index_reflect_what_they_should() {
@@ -48,7 +22,7 @@ fn glasses_of_any_index_reflect_what_they_should() {
         let (eta, cos_i) = if case == 0 { (1.008_85, 0.997_14) } else { (1.0 + contrast, cos_i) };
         let (s, p) = reflectances([eta.into(), 0.0], cos_i.into());
         let got = Dielectric::new(eta).fresnel(cos_i);
-        in_eps(&mut s_check, &format!("{eta}, {cos_i}"), got.s, s);
+        s_check.in_eps(&format!("{eta}, {cos_i}"), got.s, s);
         p_check.add(&format!("{eta}, {cos_i}"), got.p, p);
     }
     s_check.tight(n);
@@ -63,8 +37,8 @@ fn next_to_no_index_lets_in_next_to_no_light() {
         let exact = 4.0 * f64::from(eta) / (1.0 + f64::from(eta)).powi(2);
         let (glass, metal) = (Dielectric::new(eta), Conductor::new(eta, 0.0));
         for got in [glass.entering(1.0), metal.entering(1.0)] {
-            in_eps(&mut straight, &format!("{eta} s"), got.s, exact);
-            in_eps(&mut straight, &format!("{eta} p"), got.p, exact);
+            straight.in_eps(&format!("{eta} s"), got.s, exact);
+            straight.in_eps(&format!("{eta} p"), got.p, exact);
         }
         for got in [glass.fresnel(1.0).s, glass.fresnel(1.0).p] {
             assert!((f64::from(got) - (1.0 - exact)).abs() < 1.2e-7, "{eta}: {got}");
@@ -77,7 +51,7 @@ fn next_to_no_index_lets_in_next_to_no_light() {
     let (mut compared, n) = (0, 200_000);
     for _ in 0..n {
         let eta = noise.decades(1e-3, 0.7);
-        let sine2 = f64::from(eta).powi(2) * noise.next();
+        let sine2 = f64::from(eta).powi(2) * noise.uniform();
         let cos_i = (1.0 - sine2).sqrt() as f32;
         let g2 = f64::from(eta).powi(2) - (1.0 - f64::from(cos_i).powi(2));
         if g2 < 1e-3 * f64::from(eta).powi(2) {
@@ -114,10 +88,10 @@ fn metals_of_any_index_reflect_and_absorb_what_they_should() {
         let index = [f64::from(eta), f64::from(k)];
         let (s, p) = reflectances(index, cos_i.into());
         let (s_in, p_in) = absorbed(index, cos_i.into());
-        in_eps(&mut reflected, &place, metal.fresnel(cos_i).s, s);
+        reflected.in_eps(&place, metal.fresnel(cos_i).s, s);
         p_check.add(&place, metal.fresnel(cos_i).p, p);
-        in_eps(&mut share, &place, metal.entering(cos_i).s, s_in);
-        in_eps(&mut share, &place, metal.entering(cos_i).p, p_in);
+        share.in_eps(&place, metal.entering(cos_i).s, s_in);
+        share.in_eps(&place, metal.entering(cos_i).p, p_in);
     }
     reflected.tight(n);
     p_check.tight(n);
@@ -178,7 +152,7 @@ fn films_of_any_kind_share_out_light_as_the_matrix_does() {
     shares_of_a_stack(&mut stack_check, one_layer, 1.005, 675.44, 0.1085);
     for _ in 1..n {
         let layers = std::array::from_fn(|_| {
-            let k = if noise.next() < 0.5 { 0.0 } else { noise.decades(1e-4, 0.3) };
+            let k = if noise.uniform() < 0.5 { 0.0 } else { noise.decades(1e-4, 0.3) };
             layer([noise.decades(1.2, 2.6), k, noise.decades(1.0, 700.0)])
         });
         let substrate = noise.decades(1.0, 4.0);

@@ -1,25 +1,14 @@
 //! Where a surface lies in the world: axes at right angles for every normal, and the way there and back.
 
 use model::allowed::check;
+use model::noise::Noise;
 use nanospectra::matter::{Brdf, Conductor, Microfacet, TrowbridgeReitz};
 use nanospectra::radiometry::{Direction, Frame, Intensity, PointSource, Radiant, SurfaceElement};
 
-/// Numbers of -1..1, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn vector(&mut self) -> [f32; 3] {
-        [(); 3].map(|()| {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 40) as f32 / 8_388_608.0 - 1.0
-        })
-    }
-}
-
 /// Normals of all kinds: random, at the poles and beside them, on the seam, huge and tiny.
 fn normals() -> Vec<[f32; 3]> {
-    let mut random = Random(5);
-    let mut normals: Vec<[f32; 3]> = (0..20_000).map(|_| random.vector()).collect();
+    let mut random = Noise(5);
+    let mut normals: Vec<[f32; 3]> = (0..20_000).map(|_| random.point()).collect();
     for step in 0..=37 {
         let tilt = 10f32.powi(-step);
         for z in [1.0, -1.0, tilt, -tilt] {
@@ -57,9 +46,9 @@ fn determinant([[a, b, c], y, z]: [[f32; 3]; 3]) -> f64 {
 fn axes_are_of_length_one_and_at_right_angles() {
     let (mut angles, mut lengths, mut along) =
         (check("right angles of frames"), check("lengths of axes"), check("normals of frames"));
-    let (mut random, mut frames) = (Random(7), 0);
+    let (mut random, mut frames) = (Noise(7), 0);
     for normal in normals() {
-        let tangent = random.vector();
+        let tangent = random.point();
         let both = [Frame::of_normal(normal), Frame::with_tangent(normal, tangent)];
         for (name, frame) in ["normal", "tangent"].into_iter().zip(both) {
             let axes @ [x, y, z] = frame.unwrap_or_else(|| panic!("no frame by {name}: {normal:?}")).axes();
@@ -86,9 +75,9 @@ fn axes_are_of_length_one_and_at_right_angles() {
 
 #[test]
 fn directions_come_back_from_the_world() {
-    let (mut there, mut compared, mut random) = (check("directions by way of the world"), 0, Random(9));
+    let (mut there, mut compared, mut random) = (check("directions by way of the world"), 0, Noise(9));
     for normal in normals() {
-        let (frame, w) = (Frame::of_normal(normal).expect("a frame"), random.vector());
+        let (frame, w) = (Frame::of_normal(normal).expect("a frame"), random.point());
         let w = Direction::of(w).expect("a direction");
         let back = frame.to_local(frame.to_world(w)).expect("a direction");
         for (got, exact) in back.to_array().into_iter().zip(w.to_array()) {
@@ -143,10 +132,10 @@ fn what_is_no_frame_or_direction_is_none() {
 fn cosines_are_those_of_the_sources() {
     let (point_m, normal) = ([0.3, -0.2, 0.7], [0.5, 0.1, 0.9]);
     let frame = Frame::of_normal(normal).expect("a frame");
-    let mut random = Random(11);
+    let mut random = Noise(11);
     let mut lit = 0;
     for _ in 0..1000 {
-        let position_m = random.vector().map(|x| 4.0 * x);
+        let position_m = random.point().map(|x| 4.0 * x);
         let lamp = PointSource { position_m, intensity: Intensity::new(Radiant(3.0)) };
         let wi = frame.towards(point_m, position_m).expect("a direction");
         let squared: f32 = position_m.into_iter().zip(point_m).map(|(a, b)| (a - b) * (a - b)).sum();

@@ -3,7 +3,8 @@
 //! table.
 
 use model::allowed::check;
-use model::sensor::{self, Noise, wide};
+use model::noise::Noise;
+use model::sensor::{self, wide};
 use nanospectra::color::{Cct, Xyz};
 use nanospectra::light;
 use nanospectra::matter::CES;

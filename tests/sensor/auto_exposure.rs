@@ -1,25 +1,7 @@
 //! Automatic exposure: the right one is found quickly, and kept.
 
+use model::noise::Noise;
 use nanospectra::sensor::{AS7341_LADDER, Advice, AutoExposure, Exposure, LadderError};
-
-/// Random numbers that are the same every time.
-struct Dice(u64);
-
-impl Dice {
-    /// 0..1
-    fn even(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Mean 0, variance 1, by Box and Muller.
-    fn normal(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.even()).ln()).sqrt();
-        radius * (std::f64::consts::TAU * self.even()).cos()
-    }
-}
 
 /// What eight channels count of a light at an exposure: the brightest `light` basic counts.
 fn counted(light: f64, exposure: &Exposure, mut noise: impl FnMut(f64) -> f64) -> [u16; 8] {
@@ -69,13 +51,13 @@ fn any_light_is_found_in_four_readings_from_anywhere() {
 #[test]
 fn noise_does_not_make_the_exposure_swing() {
     let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
-    let mut dice = Dice(0x0dd5_eed0_dd5e_ed01);
+    let mut noise = Noise(0x0dd5_eed0_dd5e_ed01);
     for light in six_decades().step_by(3) {
         let mut place = 7;
         let mut moves = Vec::new();
         for reading in 0..60 {
             // 1 % of the count, and two counts.
-            let counts = counted(light, &auto.exposure(place), |count| dice.normal() * (2.0 + 0.01 * count));
+            let counts = counted(light, &auto.exposure(place), |count| noise.normal() * (2.0 + 0.01 * count));
             let advice = auto.advise(place, &counts);
             if advice.next != place {
                 moves.push((reading, place, advice.next));

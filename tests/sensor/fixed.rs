@@ -1,5 +1,6 @@
 //! The integer path against the f64 model and at the extremes: it cannot overflow, whatever the counts.
 
+use crate::TO_XYZ;
 use model::allowed::check;
 use model::cct::planckian;
 use model::planck::C2_CIE;
@@ -10,12 +11,6 @@ use nanospectra::sensor::{Calibration, Exposure, Meter, Unusable, nominal};
 use nanospectra::{Curve, Nodes, Observer, Power};
 use proptest::prelude::*;
 
-/// What a fit gives for the AS7341 (lux), negative weights and all.
-const TO_XYZ: Calibration<8> = Calibration::from_rows([
-    [2.283, 18.13, 2.785, 1.332, 14.85, 43.1, 23.85, -0.2993],
-    [-0.5321, 2.728, 0.4422, 26.31, 40.98, 26.91, 9.224, -0.1845],
-    [11.87, 86.97, 37.38, -2.114, 2.34, -1.107, 0.37, -0.09507],
-]);
 const EXPOSURE: Exposure = Exposure::as7341(16.0, 63, 999);
 static METER: FixedMeter<8> = FixedMeter::new(&EXPOSURE, &TO_XYZ).unwrap();
 
@@ -30,7 +25,6 @@ fn fixed([u, v]: [f64; 2], size: f64) -> FixedXyz {
 #[test]
 fn every_temperature_is_found_at_every_duv() {
     let (mut mireds, mut duvs) = (check("CCT in integers, mired"), check("Duv in integers"));
-    let mut points = 0;
     for mired in (0..=3996).map(|k| 1.0 + f64::from(k) * 0.25) {
         let ([u, v], [du, dv]) = planckian(1e6 / mired, C2_CIE);
         let length = du.hypot(dv);
@@ -50,12 +44,11 @@ fn every_temperature_is_found_at_every_duv() {
                     "{place}: {found:?}"
                 );
                 duvs.value(&place, f64::from(duv_e6) / 1e6, duv);
-                points += 1;
             }
         }
     }
-    mireds.tight(points);
-    duvs.tight(points);
+    mireds.tight_over_all();
+    duvs.tight_over_all();
 }
 
 #[test]

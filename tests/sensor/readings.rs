@@ -1,5 +1,6 @@
 //! A reading, from the counts on the bus to a colour or to the reason why there is none.
 
+use crate::TO_XYZ;
 use model::allowed::check;
 use nanospectra::color::{Cct, Xyz};
 use nanospectra::math::{Fast, Math};
@@ -8,11 +9,6 @@ use nanospectra::sensor::{
 };
 use proptest::prelude::*;
 
-const TO_XYZ: Calibration<8> = Calibration::from_rows([
-    [2.283, 18.13, 2.785, 1.332, 14.85, 43.1, 23.85, -0.2993],
-    [-0.5321, 2.728, 0.4422, 26.31, 40.98, 26.91, 9.224, -0.1845],
-    [11.87, 86.97, 37.38, -2.114, 2.34, -1.107, 0.37, -0.09507],
-]);
 const EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
 
 #[test]

@@ -3,7 +3,8 @@
 
 use model::allowed::check;
 use model::check::Check;
-use model::sensor::{self, Noise, wide};
+use model::noise::Noise;
+use model::sensor::{self, wide};
 use nanospectra::light::{FL2, FL11, HP1, LED_B1, LED_B3, LED_RGB1};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;

@@ -1,7 +1,8 @@
 //! Mini-spectrometers: pixels to wavelengths to bins, no count lost.
 
 use model::allowed::check;
-use model::sensor::{self, Noise, wide};
+use model::noise::Noise;
+use model::sensor::{self, wide};
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{FirstPixel, NotRising, Wavelengths, above_dark_pixels};
 use nanospectra::{Bins, Curve, Grid, Nodes, Observer, PerBin, Power, Spectrum};

@@ -1,6 +1,6 @@
 //! Responsivities from CSV text: the numbers, what may stand around them, and what the messages say.
 
-use model::sensor::Noise;
+use model::noise::Noise;
 use nanospectra::sensor::{
     ResponsivityError, ResponsivityProblem as Problem, read_responsivities, responsivities,
 };

@@ -3,9 +3,10 @@
 //! their own; the locus has `cct.rs`, the roots have `backends.rs`.)
 #![cfg(feature = "libm")]
 
-use model::allowed::check;
-use model::check::Check;
+use model::allowed::{Singles, check};
+use model::check::{Check, EPS};
 use model::csv::golden;
+use model::noise::Noise;
 use model::planck;
 use nanospectra::color::Xyz;
 use nanospectra::light::{blackbody, blackbody_relative, blackbody_relative_with, blackbody_with};
@@ -13,8 +14,6 @@ use nanospectra::math::{Libm, Math, Portable, cbrt};
 use nanospectra::observer::{ALPHA_OPIC, CIE_1931};
 use nanospectra::{Bins, Fine, Grid, Light, Nodes, Observer, Power, Spectrum};
 
-/// The unit of rounding: half the distance between 1 and the next f32.
-const EPS: f64 = 1.0 / 16_777_216.0;
 /// Below this `blackbody` gives zero.
 const FLUSHED: f64 = 1e-38;
 
@@ -84,19 +83,16 @@ fn planck_agrees_with_the_golden_from_x_rays_to_a_metre() {
 #[test]
 fn planck_holds_at_a_trillion_kelvin_and_for_x_rays() {
     let mut check = check("Planck of great heat or short waves, in eps");
-    let mut compared = 0;
     for step in 0..400 {
         // 0.1 nm to 1 um, hot enough that x is small: rows 2 and 3, and between them.
         let nm = (0.1 * 10f64.powf(0.01 * f64::from(step))) as f32;
         for kelvin in [1e8f32, 3e8, 1e10, 1e12] {
             if planck::x(nm.into(), kelvin.into()) < 0.5 {
                 compare(&mut check, nm, kelvin, blackbody(nm, kelvin), radiance(nm, kelvin), 1.0);
-                compared += 1;
             }
         }
     }
-    check.tight(compared);
-    assert!(compared > 1000, "{compared}");
+    check.tight_over_more_than(1000);
     for (nm, kelvin) in [(555.0f32, 1e8f32), (555.0, 1e10), (555.0, 1e12), (0.1, 1e10), (1.0, 1e8)] {
         let (got, exact) = (f64::from(blackbody(nm, kelvin)), radiance(nm, kelvin));
         assert!((got - exact).abs() <= 4.0 * EPS * exact, "{nm} nm, {kelvin} K: {got:e} for {exact:e}");
@@ -147,10 +143,9 @@ fn planck_of_nonsense_is_zero_infinite_or_nan_but_no_other_number() {
 #[test]
 fn the_shape_of_a_black_body_is_right_where_both_ends_underflow() {
     let mut check = check("Planck over 560 nm, in (4dx + 12) eps");
-    let mut points = 0;
     let mut noise = Noise(5);
     for nm in (0..=940).map(|step| 360.0 + 0.5 * step as f32) {
-        let random = 100.0 * 10f32.powf(noise.next());
+        let random = 100.0 * 10f32.powf(noise.share());
         for kelvin in
             [random, 100.0, 150.0, 200.0, 250.0, 300.0, 1000.0, 2856.0, 6500.0, 2.5e4, 1e5, 1e8, 1e12]
         {
@@ -163,11 +158,9 @@ fn the_shape_of_a_black_body_is_right_where_both_ends_underflow() {
             }
             let excuse = 4.0 * (x - x560).abs() + 12.0;
             compare(&mut check, nm, kelvin, blackbody_relative(nm, kelvin), shape, excuse);
-            points += 1;
         }
     }
-    check.tight(points);
-    assert!(points > 1000, "{points}");
+    check.tight_over_more_than(1000);
     assert_eq!(blackbody_relative(560.0, 2856.0), 1.0);
     // At 1 K the ratio is beyond f32 on both sides.
     assert_eq!((blackbody_relative(360.0, 1.0), blackbody_relative(830.0, 1.0)), (0.0, f32::INFINITY));
@@ -187,31 +180,27 @@ fn short_names_mean_the_portable_backend() {
 fn micromath_is_no_backend_for_colour() {
     use nanospectra::math::Micromath;
     let mut check = check("Planck by micromath");
-    let mut points = 0;
     for nm in (360..=830).step_by(10) {
         let nm = nm as f32;
         for kelvin in [500.0, 1000.0, 2000.0, 2856.0, 4000.0, 6500.0, 10_000.0, 1e5] {
             let got = blackbody_with::<Micromath>(nm, kelvin);
             check.value(&format!("{nm} nm, {kelvin} K"), got.into(), radiance(nm, kelvin));
-            points += 1;
         }
     }
-    check.tight(points);
+    check.tight_over_all();
 }
 
 #[test]
 fn thin_absorption_is_not_lost() {
     let mut check = check("1 - exp(-tau), in eps");
-    let mut points = 0;
     for step in 0..=1000 {
         // 1e-12 to 10, equally spaced in the logarithm; rows 45: 1e-6 and 1e-8.
         let tau = (1e-12 * 10f64.powf(13.0 * f64::from(step) / 1000.0)) as f32;
         let exact = -(-f64::from(tau)).exp_m1();
         let got = -Portable::expm1(-tau);
-        check.value(&format!("tau {tau:e}"), (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
-        points += 1;
+        check.in_eps(&format!("tau {tau:e}"), got, exact);
     }
-    check.tight(points);
+    check.tight_over_all();
     assert_eq!(1.0 - Portable::exp(-1e-8), 0.0, "the naive form loses it all");
 }
 
@@ -222,7 +211,7 @@ fn cube_roots_of_lab_are_better_than_a_power() {
     while bits <= 1.0f32.to_bits() {
         let x = f32::from_bits(bits);
         let exact = f64::from(x).cbrt();
-        check.value(&format!("{x}"), (f64::from(cbrt(x)) - exact).abs() / (exact * EPS), 0.0);
+        check.in_eps(&format!("{x}"), cbrt(x), exact);
         points += 1;
         bits += 37;
     }
@@ -230,30 +219,16 @@ fn cube_roots_of_lab_are_better_than_a_power() {
     assert_eq!((cbrt(0.0), cbrt(-0.027), cbrt(1.0)), (0.0, -cbrt(0.027), 1.0));
 }
 
-/// Numbers without a pattern from 0 to 1.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 * EPS as f32
-    }
-
-    fn some<const N: usize>(&mut self) -> [f32; N] {
-        std::array::from_fn(|_| self.next())
-    }
-}
-
 /// Errors of sums of `N` products, in units of eps of the sum of their sizes.
 fn sums<const N: usize, G: Grid>(what: &'static str, scale: f32) {
     let mut check = check(what);
     let mut noise = Noise(N as u64);
     for trial in 0..20_000 {
-        let (weights, values) = (noise.some::<N>(), noise.some::<N>().map(|v| v * scale));
+        let (weights, values) = (noise.shares::<N>(), noise.shares::<N>().map(|v| v * scale));
         let eye = Observer::<1, N, Power, G>::from_weights([weights]);
         let [got] = eye.sees(&Spectrum::from_bins(values));
         let exact: f64 = weights.iter().zip(values).map(|(w, v)| f64::from(*w) * f64::from(v)).sum();
-        check.value(&format!("trial {trial}"), (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
+        check.in_eps(&format!("trial {trial}"), got, exact);
     }
     check.tight(20_000);
 }
@@ -291,7 +266,7 @@ fn flushing(weights: &[f32], values: &[f32]) -> f32 {
 #[test]
 fn sums_are_the_same_on_cores_that_flush_subnormals() {
     let mut noise = Noise(44);
-    let light = Fine::<Power>::from_bins(noise.some());
+    let light = Fine::<Power>::from_bins(noise.shares());
     for scale in [1.0, 1e-20, 1e-30] {
         let light = light * scale;
         for (eye, sees) in [
@@ -315,9 +290,9 @@ fn power_is_summed_as_carefully() {
     let mut check = check("power of 471 bins, in eps");
     let mut noise = Noise(3);
     for trial in 0..20_000 {
-        let light = Light::<471, Nodes<360, 830>>::from_bins(noise.some());
+        let light = Light::<471, Nodes<360, 830>>::from_bins(noise.shares());
         let exact: f64 = light.values().iter().map(|v| f64::from(*v)).sum();
-        check.value(&format!("trial {trial}"), (f64::from(light.power()) - exact).abs() / (exact * EPS), 0.0);
+        check.in_eps(&format!("trial {trial}"), light.power(), exact);
     }
     check.tight(20_000);
 }

@@ -4,18 +4,16 @@
 //!     NANOSPECTRA_STRIDE=1 cargo test --release --test upsample all::
 #![cfg(feature = "libm")]
 
+use crate::LIGHT;
 use model::delta_e::de2000;
 use model::lab::lab;
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
-use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Solved, StartMap, Status, Viewing,
 };
-use nanospectra::{Bins, Curve, Fine, Grid, Interpolation, Nodes, Outside, Power};
+use nanospectra::{Bins, Curve, Grid, Nodes};
 use std::sync::atomic::{AtomicU32, Ordering};
-
-const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
 
 /// What a sweep found.
 #[derive(Clone, Copy, Debug, Default)]

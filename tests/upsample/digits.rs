@@ -1,36 +1,21 @@
 //! RGB to spectrum at the ends of f32: the curve itself, steep, dark, far out, and read on any grid.
 #![cfg(feature = "libm")]
 
+use crate::{LIGHT, cube};
 use model::allowed::{Singles, check};
 use nanospectra::color::Rgb;
-use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Shape, Sigmoid, SigmoidReflectance, Viewing};
-use nanospectra::{Curve, Interpolation, Nodes, Outside};
+use nanospectra::{Curve, Nodes};
 
 type Points = Nodes<400, 700>;
-static SIGMOID: Sigmoid<31, Points> = Sigmoid::new(&Viewing::new(
-    &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
-));
-
-/// Every colour of an n^3 cube of encoded values.
-fn cube(n: usize, mut f: impl FnMut([f32; 3])) {
-    let level = |k: usize| k as f32 / (n - 1) as f32;
-    for r in 0..n {
-        for g in 0..n {
-            for b in 0..n {
-                f([level(r), level(g), level(b)]);
-            }
-        }
-    }
-}
+static SIGMOID: Sigmoid<31, Points> = Sigmoid::new(&Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step)));
 
 #[test]
 fn the_sigmoid_keeps_its_digits_at_both_ends() {
     // HARD_CASES 25: 1/2 + p / 2 sqrt(1 + p^2) has none left at p = -1e4.
     let at = |p: f32| Shape { q: [0.0, 0.0, p] }.at(580.0);
     let mut tails = check("sigmoid, tails");
-    let mut count = 0;
     // The last one is the worst of a million.
     let sizes = (0..=16_000).map(|k| 10f64.powf(f64::from(k) / 1000.0 - 4.0)).chain([0.107_056_975]);
     for p in sizes {
@@ -38,9 +23,8 @@ fn the_sigmoid_keeps_its_digits_at_both_ends() {
         let h = 1.0f64.hypot(p);
         tails.add(&format!("-{p}"), at(-p32), 0.5 / (h * (h + p)));
         tails.add(&format!("{p}"), at(p32), 1.0 - 0.5 / (h * (h + p)));
-        count += 2;
     }
-    tails.tight(count);
+    tails.tight_over_all();
     // 26: the square of 1e20 overflows.
     for p in [1e19, 1e20, f32::MAX, f32::INFINITY] {
         assert_eq!((at(p), at(-p)), (1.0, 0.0), "{p}");
@@ -107,7 +91,6 @@ fn dark_spectra_keep_their_digits() {
 #[test]
 fn dark_spectra_are_the_bright_one_times_exposure() {
     let mut dark = check("dark spectra over the bright one");
-    let mut count = 0;
     for [r, g, b] in [[0.45, 0.1, 0.02], [0.05, 0.4, 0.3], [0.2, 0.1, 0.49], [0.0, 0.0, 0.4], [0.3, 0.3, 0.0]]
     {
         let of = |k: f32| SIGMOID.reflectance(Rgb::new(k * r, k * g, k * b)).spectrum.on_grid::<31, Points>();
@@ -116,11 +99,10 @@ fn dark_spectra_are_the_bright_one_times_exposure() {
             let k = 10f32.powi(-power);
             for (dark_share, share) in of(k).values().iter().zip(bright.values()) {
                 dark.add(&format!("{r} {g} {b}, {k}"), *dark_share, f64::from(*share) * f64::from(k));
-                count += 1;
             }
         }
         // By a power of two: to the bit.
         assert_eq!(of(0.5f32.powi(20)), bright * 0.5f32.powi(20));
     }
-    dark.tight(count);
+    dark.tight_over_all();
 }

@@ -1,17 +1,17 @@
 //! Displays, mixed paints and metamers.
 #![cfg(feature = "libm")]
 
+use crate::LIGHT;
 use model::allowed::{Singles, check};
 use model::linear;
 use nanospectra::color::{EncodedRgb, Rgb, Srgb, Xyz};
-use nanospectra::light::{A, D65, FL11};
+use nanospectra::light::{A, FL11};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Basis, CohenR, Display, Sigmoid, Viewing, kubelka_munk};
 use nanospectra::{Curve, Factor, Fine, Interpolation, Nodes, Observer, Outside, Power, Reflectance};
 
 type Grid = Nodes<380, 780>;
-const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
 const UNDER_A: Fine<Power> = A.interpolate(Interpolation::Linear, Outside::Zero);
 static EYE: Observer<3, 81, Power, Grid> = CIE_1931.fold(Curve::Step);
 static VIEWING: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));

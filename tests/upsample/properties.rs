@@ -1,17 +1,17 @@
 //! What holds for every colour, on colours that nobody chose.
 #![cfg(feature = "libm")]
 
+use crate::LIGHT;
 use nanospectra::color::{Bt2020, DisplayP3, Rgb, RgbSpace, Srgb, Xyz};
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Basis, Linear, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing, kubelka_munk,
 };
-use nanospectra::{Bins, Curve, Fine, Interpolation, Light, Nodes, Outside, Power, Reflectance};
+use nanospectra::{Bins, Curve, Interpolation, Light, Nodes, Outside, Reflectance};
 use proptest::prelude::*;
 use proptest::sample::select;
 
-const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
 type Grid = Nodes<400, 700>;
 static VIEWING: Viewing<31, Grid> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
 static SIGMOID: Sigmoid<31, Grid> = Sigmoid::new(&VIEWING);

@@ -1,6 +1,7 @@
 //! RGB to spectrum against the published and precomputed values of golden 08, and what holds for single colours.
 #![cfg(feature = "libm")]
 
+use crate::{LIGHT, cube};
 use model::allowed::{Singles, check};
 use model::csv::{Row, golden};
 use nanospectra::color::transfer::{Bt1886, Srgb as SrgbCurve, Transfer};
@@ -10,9 +11,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, SmitsBins, StartMap, Status, Viewing,
 };
-use nanospectra::{Bins, Curve, Fine, Grid, Interpolation, Nodes, Outside, Power, Reflectance};
-
-const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+use nanospectra::{Bins, Curve, Grid, Interpolation, Nodes, Outside, Reflectance};
 
 type Points = Nodes<400, 700>;
 static VIEWING: Viewing<31, Points> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
@@ -109,18 +108,6 @@ fn smits_is_off_under_d65_and_says_so() {
     assert!((mean - MEAN).abs() < 1e-3 && (worst - WORST).abs() < 1e-3);
     println!("up to {highest}, greys ripple by {ripple}");
     assert!((highest - 1.015).abs() < 2e-4 && (ripple - 8e-4).abs() < 1e-6, "{highest} {ripple}");
-}
-
-/// Every colour of an n^3 cube of encoded values.
-fn cube(n: usize, mut f: impl FnMut([f32; 3])) {
-    let level = |k: usize| k as f32 / (n - 1) as f32;
-    for r in 0..n {
-        for g in 0..n {
-            for b in 0..n {
-                f([level(r), level(g), level(b)]);
-            }
-        }
-    }
 }
 
 /// The share of a 17^3 cube that is solved; those are held to 0.002 CIEDE2000, the others must be off by 0.0005 or more.

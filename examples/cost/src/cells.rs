@@ -10,6 +10,20 @@ pub const COUNTED: [Column; 2] =
 /// Nanoseconds here.
 pub const TIME: Column = Column::time("ns", "ns here");
 
+/// With columns for the instructions on record and the time, which [`priced`] fills.
+pub fn with_price(mut columns: Vec<Column>) -> Vec<Column> {
+    columns.extend(COUNTED);
+    columns.push(TIME);
+    columns
+}
+
+/// A row with the instructions that are on record for `what`, and its time here.
+pub fn priced(mut row: Vec<Cell>, what: &str, time: f64) -> Vec<Cell> {
+    row.extend(counted(what));
+    row.push(Cell::time(time));
+    row
+}
+
 /// Of CIEDE2000.
 pub const DIFFERENCES: [Column; 3] = [
     Column::figure("mean_de2000", "mean CIEDE2000"),
@@ -32,8 +46,7 @@ pub fn counted(what: &str) -> [Cell; 2] {
 /// Mean, 95th percentile and largest of some sizes; nothing of none.
 pub fn summary(mut sizes: Vec<f64>) -> [Cell; 3] {
     sizes.sort_by(f64::total_cmp);
-    let mean = sizes.iter().sum::<f64>() / sizes.len() as f64;
-    [Some(mean), sizes.get(sizes.len() * 95 / 100).copied(), sizes.last().copied()]
+    [Some(mean(&sizes)), sizes.get(sizes.len() * 95 / 100).copied(), sizes.last().copied()]
         .map(|size| size.filter(|size| size.is_finite()).map_or(Cell::Nothing, Cell::figure))
 }
 
@@ -46,8 +59,7 @@ pub fn bytes(count: usize) -> Cell {
 pub fn range(sizes: &[f64]) -> [Cell; 3] {
     let least = sizes.iter().copied().min_by(f64::total_cmp);
     let most = sizes.iter().copied().max_by(f64::total_cmp);
-    let mean = least.map(|_| sizes.iter().sum::<f64>() / sizes.len() as f64);
-    [least, mean, most].map(|size| size.map_or(Cell::Nothing, Cell::figure))
+    [least, least.map(|_| mean(sizes)), most].map(|size| size.map_or(Cell::Nothing, Cell::figure))
 }
 
 /// Puts rows in the order of the names in their first cells; those of one name stay as they are.
@@ -56,6 +68,10 @@ pub fn in_order<'a>(rows: &mut [Vec<Cell>], names: impl Iterator<Item = &'a str>
         Cell::Key(name) => names.clone().position(|known| known == name),
         _ => None,
     });
+}
+
+pub fn mean(sizes: &[f64]) -> f64 {
+    sizes.iter().sum::<f64>() / sizes.len() as f64
 }
 
 /// The largest; nothing of none.

@@ -1,8 +1,9 @@
 //! Sums of products, by the order of their terms.
 
-use crate::cells::{COUNTED, TIME, counted};
+use crate::cells::{priced, with_price};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
+use model::noise::Noise;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Grid, Interpolation, Nodes, Observer, Outside, Spectrum};
@@ -27,14 +28,12 @@ pub fn tables(runs: usize) -> Vec<Table> {
     rows.extend(of::<81, Nodes<380, 780>>(runs));
     rows.extend(of::<401, Nodes<380, 780>>(runs));
     rows.extend(of::<471, Nodes<360, 830>>(runs));
-    let mut columns = vec![
+    let columns = with_price(vec![
         Column::key("terms", "terms"),
         Column::key("order", "order"),
         Column::figure("mean_e", "mean error, e"),
         Column::figure("max_e", "max"),
-    ];
-    columns.extend(COUNTED);
-    columns.push(TIME);
+    ]);
     vec![Table {
         id: "sums",
         title: "Sums of products of positive f32".into(),
@@ -53,7 +52,7 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
     let mut noise = Noise(N as u64);
     let mut errors = [[0.0_f64; 2]; WAYS.len()];
     for _ in 0..SURFACES {
-        let values = noise.some::<N>();
+        let values = noise.shares::<N>();
         for (weights, lanes) in eye.weights().iter().zip(eye.sees(&Spectrum::from_bins(values))) {
             let exact: f64 = weights.iter().zip(values).map(|(w, v)| f64::from(*w) * f64::from(v)).sum();
             let sums =
@@ -65,7 +64,7 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
             }
         }
     }
-    let ([weights, ..], values) = (eye.weights(), noise.some::<N>());
+    let ([weights, ..], values) = (eye.weights(), noise.shares::<N>());
     let one = Observer::<1, N, Factor, G>::from_weights([*weights]);
     let surface = Spectrum::<Factor, N, G>::from_bins(values);
     let time =
@@ -78,10 +77,8 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
     ];
     let ways = WAYS.iter().zip(errors).zip(times);
     ways.map(|(((name, word), [mean, max]), time)| {
-        let mut row = vec![Cell::key(N), Cell::key(name), Cell::figure(mean), Cell::figure(max)];
-        row.extend(counted(&format!("sum-{N}-{word}")));
-        row.push(Cell::time(time));
-        row
+        let row = vec![Cell::key(N), Cell::key(name), Cell::figure(mean), Cell::figure(max)];
+        priced(row, &format!("sum-{N}-{word}"), time)
     })
     .collect()
 }
@@ -98,18 +95,4 @@ fn neumaier(a: &[f32], b: &[f32]) -> f32 {
         sum = next;
     }
     sum + lost
-}
-
-/// Numbers without a pattern from 0 to 1, the same every time.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 * E as f32
-    }
-
-    fn some<const N: usize>(&mut self) -> [f32; N] {
-        std::array::from_fn(|_| self.next())
-    }
 }

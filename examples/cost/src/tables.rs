@@ -1,6 +1,6 @@
 //! The colour-matching functions in fewer bytes.
 
-use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, in_order, summary};
+use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, in_order, mean, summary};
 use crate::nanometres::{Light, Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
 use crate::xyz::lamps::CLASSES;
@@ -127,8 +127,11 @@ fn rows() -> Vec<Vec<Cell>> {
                 errors
             })
             .collect();
-        let choices: Vec<(f64, f64)> =
-            errors.iter().zip(&stored).map(|(errors, table)| (errors.mean(), table.bytes as f64)).collect();
+        let choices: Vec<(f64, f64)> = errors
+            .iter()
+            .zip(&stored)
+            .map(|(errors, table)| (mean(&errors.absolute), table.bytes as f64))
+            .collect();
         for ((table, errors), beaten) in stored.iter().zip(errors).zip(beaten(&choices)) {
             let mut row = vec![Cell::key(table.name), Cell::key(class.name()), bytes(table.bytes)];
             let none = 100.0 * errors.colorless / (errors.colorless + errors.absolute.len() as f64);
@@ -163,9 +166,5 @@ impl Errors {
                 self.colorless += 1.0;
             }
         }
-    }
-
-    fn mean(&self) -> f64 {
-        self.absolute.iter().sum::<f64>() / self.absolute.len() as f64
     }
 }

@@ -1,6 +1,6 @@
 //! From RGB to a spectrum: how it comes back, and what it looks like under other lamps.
 
-use crate::cells::{COUNTED, TIME, bytes as of_bytes, counted};
+use crate::cells::{bytes as of_bytes, priced, with_price};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
 use model::csv::table;
@@ -44,8 +44,6 @@ pub fn tables(runs: usize) -> Vec<Table> {
         Column::figure("wrong_codes_percent", "wrong codes, %"),
     ];
     columns.extend(LAMPS.map(|(id, heading)| Column::figure(id, heading)));
-    columns.extend(COUNTED);
-    columns.push(TIME);
     let study = Study::new();
     let samples = study.samples.len();
     vec![Table {
@@ -57,7 +55,7 @@ pub fn tables(runs: usize) -> Vec<Table> {
              RGB, the lamp being the white. The product of RGB has no spectrum: the lamp's RGB times the surface's. \
              Bytes, instructions and times: a colour on {FEW} bands of 400..700 nm, what was worked out for them included."
         ),
-        columns,
+        columns: with_price(columns),
         rows: study.rows(runs),
     }]
 }
@@ -103,9 +101,7 @@ impl Study {
             let mut row = vec![Cell::key(name), of_bytes(bytes)];
             row.extend(self.there_and_back(method));
             row.extend(self.under_lamps(|rgb, lamp| wide(lamp.sees(&method(rgb)))));
-            row.extend(counted(word));
-            row.push(Cell::time(time));
-            row
+            priced(row, word, time)
         };
         let pixel = Rgb::<Srgb>::new(0.2, 0.4, 0.7);
         macro_rules! sigmoid {
@@ -196,9 +192,7 @@ impl Study {
             Cell::Nothing,
         ];
         row.extend(self.under_lamps(|rgb, lamp| wide(rgb_product(light_of(lamp), rgb.to_array()))));
-        row.extend(counted("rgb-product"));
-        row.push(Cell::time(time));
-        row
+        priced(row, "rgb-product", time)
     }
 }
 

@@ -28,6 +28,12 @@ impl Clock {
         let per_1000 = u64::from(self.per_1000.max(1));
         ((periods * 1000 + per_1000 / 2) / per_1000) as u32
     }
+
+    /// Instructions of the longest of the calls. (`inputs` go through a `black_box`, so the compiler knows nothing of
+    /// them.)
+    pub fn longest<A, R: Default>(&self, f: fn(&A, &mut R), inputs: &[A]) -> u32 {
+        inputs.iter().map(|input| self.count(f, input, &mut R::default())).max().unwrap_or(0)
+    }
 }
 
 /// Counter periods of one call.

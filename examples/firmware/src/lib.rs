@@ -26,7 +26,12 @@
 //! `tests/devices.sh` of the main crate asks all of them, and runs `tests/on_target.rs` on a host and on every board.
 #![no_std]
 
+/// What an image starts with: `#[nanospectra_firmware::entry] fn main() -> !`.
+#[cfg(all(target_arch = "arm", target_os = "none"))]
+pub use cortex_m_rt::entry;
 pub use nanospectra_bits as bits;
+#[cfg(all(target_arch = "riscv32", target_os = "none"))]
+pub use riscv_rt::entry;
 
 #[cfg(target_os = "none")]
 pub mod clock;

@@ -36,34 +36,33 @@ static EYES_31: Eyes<31> = Eyes::new(Curve::Parabola);
 static EYES_81: Eyes<81> = Eyes::new(Curve::Step);
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
-    report("folded-16", folded(&EYES_16));
-    report("folded-31", folded(&EYES_31));
-    report("folded-81", folded(&EYES_81));
-    report("fine-471", fine(&[&CIE_1931, &CIE_1964, &CIE_2015_2]));
-    report("samples", samples());
-    report("chromaticity", chromaticity());
-    report("cct-duv", cct_duv());
-    report("dominant", dominant());
-    report("lab", lab());
-    report("spaces", spaces());
-    report("differences", differences());
-    report("cri", rendering_index());
-    report("lights", lights());
-    report("roots", roots());
-    report("fast", fast());
-    report("exp-ln-pow", exp_ln_pow());
-    report("angles", angles());
-    report("upsample", upsampled());
+    report("folded-16", Hash::of(|hash| folded(hash, &EYES_16)));
+    report("folded-31", Hash::of(|hash| folded(hash, &EYES_31)));
+    report("folded-81", Hash::of(|hash| folded(hash, &EYES_81)));
+    report("fine-471", Hash::of(|hash| fine(hash, &[&CIE_1931, &CIE_1964, &CIE_2015_2])));
+    report("samples", Hash::of(samples));
+    report("chromaticity", Hash::of(chromaticity));
+    report("cct-duv", Hash::of(cct_duv));
+    report("dominant", Hash::of(dominant));
+    report("lab", Hash::of(lab));
+    report("spaces", Hash::of(spaces));
+    report("differences", Hash::of(differences));
+    report("cri", Hash::of(rendering_index));
+    report("lights", Hash::of(lights));
+    report("roots", Hash::of(roots));
+    report("fast", Hash::of(fast));
+    report("exp-ln-pow", Hash::of(exp_ln_pow));
+    report("angles", Hash::of(angles));
+    report("upsample", Hash::of(upsampled));
 }
 
 /// RGB to spectrum: what the compiler made, then random colours one by one and eight at a time, a few of them out
 /// of reach.
-fn upsampled() -> u32 {
+fn upsampled(hash: &mut Hash) {
     static VIEWING: Viewing<31> = Viewing::new(&CIE_1931.under(&LAMPS[1]).fold(Curve::Step));
     static SIGMOID: Sigmoid<31> = Sigmoid::new(&VIEWING);
     static BASIS: Basis<31> = Basis::new(&VIEWING);
     static SMITS: Smits<31> = Smits::new();
-    let mut hash = Hash::new();
     let mut random = Random(0x5eed_0808);
     for _ in 0..8 {
         let colors: [Rgb<Srgb>; 8] = from_fn(|_| {
@@ -80,12 +79,10 @@ fn upsampled() -> u32 {
             hash.all(&VIEWING.rgb(&spectrum).to_array());
         }
     }
-    hash.0
 }
 
 /// The weights, and what they see: 64 random spectra one by one and as a batch, surfaces and lamps.
-fn folded<const N: usize>(eyes: &Eyes<N>) -> u32 {
-    let mut hash = Hash::new();
+fn folded<const N: usize>(hash: &mut Hash, eyes: &Eyes<N>) {
     eyes.paper.weights().iter().for_each(|row| hash.all(row));
     eyes.light.weights().iter().for_each(|row| hash.all(row));
     let mut random = Random(0x5eed_0000 + N as u32);
@@ -109,12 +106,10 @@ fn folded<const N: usize>(eyes: &Eyes<N>) -> u32 {
         hash.all(&eyes.light.sees(&light));
         hash.one(light.power());
     }
-    hash.0
 }
 
 /// 1 nm sums: lamps, lamps on surfaces, random lights.
-fn fine(eyes: &[&FineObserver<3>]) -> u32 {
-    let mut hash = Hash::new();
+fn fine(hash: &mut Hash, eyes: &[&FineObserver<3>]) {
     let mut random = Random(0x5eed_0471);
     for eye in eyes {
         for lamp in &LAMPS {
@@ -127,12 +122,10 @@ fn fine(eyes: &[&FineObserver<3>]) -> u32 {
             hash.all(&eye.sees(&Fine::from_bins(random.bins())));
         }
     }
-    hash.0
 }
 
 /// Irregular measured samples onto bins and nodes, and a laser line.
-fn samples() -> u32 {
-    let mut hash = Hash::new();
+fn samples(hash: &mut Hash) {
     let mut random = Random(0x5eed_5a3e);
     for _ in 0..4 {
         let mut nm = 371.5;
@@ -154,12 +147,10 @@ fn samples() -> u32 {
             hash.all(fine.values());
         }
     }
-    hash.0
 }
 
 /// xy, uv and u'v' of random colours, some of them black or imaginary.
-fn chromaticity() -> u32 {
-    let mut hash = Hash::new();
+fn chromaticity(hash: &mut Hash) {
     let mut random = Random(0x5eed_c0de);
     for _ in 0..256 {
         let [x, y, z]: [f32; 3] = from_fn(|_| 110.0 * random.unit() - 10.0);
@@ -168,12 +159,10 @@ fn chromaticity() -> u32 {
         hash.maybe(xyz.uv1960().map(|p| [p.u, p.v]));
         hash.maybe(xyz.uv1976().map(|p| [p.u, p.v]));
     }
-    hash.0
 }
 
 /// A grid of points on both sides of the locus, from beyond its cold end to beyond its hot one.
-fn cct_duv() -> u32 {
-    let mut hash = Hash::new();
+fn cct_duv(hash: &mut Hash) {
     for i in 0..32 {
         for k in 0..16 {
             let point = Uv1960 { u: 0.17 + 0.008 * i as f32, v: 0.26 + 0.007 * k as f32 };
@@ -185,19 +174,16 @@ fn cct_duv() -> u32 {
             }
         }
     }
-    hash.0
 }
 
 /// All the way round the white, from pale to beyond the spectrum.
-fn dominant() -> u32 {
-    let mut hash = Hash::new();
+fn dominant(hash: &mut Hash) {
     for k in 0..48 {
         let (angle, radius) = (k as f32 / 48.0, 0.002 * (k * k % 97) as f32);
         let (x, y) =
             (WHITE.x + radius * Portable::cos_turns(angle), WHITE.y + radius * Portable::sin_turns(angle));
         hash.maybe(dominant_wavelength(Xy { x, y }, WHITE, &CIE_1931).map(|d| [d.nm, d.purity]));
     }
-    hash.0
 }
 
 /// The white of D65.
@@ -215,20 +201,17 @@ fn lattice_lab() -> impl Iterator<Item = Lab> {
 }
 
 /// Lab there and back, and Lch.
-fn lab() -> u32 {
-    let mut hash = Hash::new();
+fn lab(hash: &mut Hash) {
     let white = WHITE.xyz(100.0).unwrap_or_default();
     for lab in lattice_lab() {
         let lch = lab.lch();
         hash.all(&[lab.l, lab.a, lab.b, lch.c, lch.h_deg]);
         hash.all(&lab.xyz(white).to_array());
     }
-    hash.0
 }
 
 /// Luv, Oklab and sRGB.
-fn spaces() -> u32 {
-    let mut hash = Hash::new();
+fn spaces(hash: &mut Hash) {
     let white = WHITE.xyz(100.0).unwrap_or_default();
     for xyz in lattice() {
         if let Some(luv) = xyz.luv(white) {
@@ -238,21 +221,17 @@ fn spaces() -> u32 {
         hash.all(&[oklab.l, oklab.a, oklab.b]);
         hash.all(&Rgb::<Srgb>::from_xyz_y100(xyz).encode().to_array());
     }
-    hash.0
 }
 
 /// From each colour of the lattice to the one 37 further on.
-fn differences() -> u32 {
-    let mut hash = Hash::new();
+fn differences(hash: &mut Hash) {
     for (one, other) in lattice_lab().zip(lattice_lab().skip(37)) {
         hash.all(&[ciede2000(one, other), cmc(one, other, 2.0, 1.0)]);
     }
-    hash.0
 }
 
 /// Color rendering indices of the lamps.
-fn rendering_index() -> u32 {
-    let mut hash = Hash::new();
+fn rendering_index(hash: &mut Hash) {
     for lamp in &LAMPS {
         match cri(lamp) {
             Ok(index) => {
@@ -262,12 +241,10 @@ fn rendering_index() -> u32 {
             Err(_) => hash.word(0),
         }
     }
-    hash.0
 }
 
 /// TM-30 of the lamps.
-pub fn fidelity() -> u32 {
-    let mut hash = Hash::new();
+pub fn fidelity(hash: &mut Hash) {
     for lamp in &LAMPS {
         match tm30(lamp) {
             Ok(result) => {
@@ -280,12 +257,10 @@ pub fn fidelity() -> u32 {
             Err(_) => hash.word(0),
         }
     }
-    hash.0
 }
 
 /// Black bodies over five decades of temperature, daylight from 4000 K to 25 000 K and beyond both ends.
-fn lights() -> u32 {
-    let mut hash = Hash::new();
+fn lights(hash: &mut Hash) {
     let mut kelvin = 100.0;
     while kelvin < 1e7 {
         for nm in [200.0, 360.0, 555.0, 830.0, 2500.0] {
@@ -294,21 +269,17 @@ fn lights() -> u32 {
         hash.maybe(daylight_xy(kelvin).map(|p| [p.x, p.y]));
         kelvin *= 1.25;
     }
-    hash.0
 }
 
 /// Square and cube roots of every kind of float: subnormal, negative, infinite, not a number.
-fn roots() -> u32 {
-    let mut hash = Hash::new();
+fn roots(hash: &mut Hash) {
     for x in (0..=u32::MAX).step_by(0x003f_1357).map(f32::from_bits) {
         hash.all(&[Portable::sqrt(x), Portable::cbrt(x)]);
     }
-    hash.0
 }
 
 /// The functions of `Fast`, over what each is for.
-fn fast() -> u32 {
-    let mut hash = Hash::new();
+fn fast(hash: &mut Hash) {
     for x in (0x0080_0000..0x7f80_0000_u32).step_by(0x003f_1357).map(f32::from_bits) {
         hash.all(&[Fast::sqrt(x), Fast::cbrt(x), Fast::ln(x), Fast::powf(x, 2.4), Fast::powf(x, 1.0 / 2.4)]);
     }
@@ -317,12 +288,10 @@ fn fast() -> u32 {
         hash.all(&[Fast::exp(x), Fast::expm1(x), Fast::cos_turns(0.01 * x), Fast::sin_turns(0.01 * x)]);
         hash.one(Fast::atan2(x, 31.0));
     }
-    hash.0
 }
 
 /// From underflow to overflow.
-fn exp_ln_pow() -> u32 {
-    let mut hash = Hash::new();
+fn exp_ln_pow(hash: &mut Hash) {
     for k in 0..512 {
         let x = 0.4125 * k as f32 - 105.0;
         hash.all(&[Portable::exp(x), Portable::expm1(x)]);
@@ -331,17 +300,14 @@ fn exp_ln_pow() -> u32 {
         hash.one(Portable::ln(x));
         hash.all(&[2.4, 1.0 / 2.4, 5.0, -3.0].map(|y| Portable::powf(x, y)));
     }
-    hash.0
 }
 
 /// All the way round and beyond, on circles of four sizes.
-fn angles() -> u32 {
-    let mut hash = Hash::new();
+fn angles(hash: &mut Hash) {
     for k in 0..256 {
         let turns = 0.0117 * k as f32 - 1.5;
         let (cos, sin) = (Portable::cos_turns(turns), Portable::sin_turns(turns));
         hash.all(&[cos, sin]);
         hash.all(&[1e-30, 0.01, 1.0, 1e20].map(|r| Portable::atan2(r * sin, r * cos)));
     }
-    hash.0
 }

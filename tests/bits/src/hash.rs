@@ -6,8 +6,11 @@ use core::array::from_fn;
 pub struct Hash(pub u32);
 
 impl Hash {
-    pub fn new() -> Self {
-        Hash(0x811c_9dc5)
+    /// Of what `f` hands over.
+    pub fn of(f: impl FnOnce(&mut Hash)) -> u32 {
+        let mut hash = Hash(0x811c_9dc5);
+        f(&mut hash);
+        hash.0
     }
 
     pub fn word(&mut self, word: u32) {

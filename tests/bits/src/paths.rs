@@ -12,15 +12,14 @@ use nanospectra::{Light, Power, Reflectance};
 static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
-    report("fluorescence", fluorescence());
-    report("polarisation", polarisation());
-    report("rgb-paths", rgb());
-    report("linearity", linearity());
+    report("fluorescence", Hash::of(fluorescence));
+    report("polarisation", Hash::of(polarisation));
+    report("rgb-paths", Hash::of(rgb));
+    report("linearity", Hash::of(linearity));
 }
 
 /// Random light and matter, by dye, by matrix, and with a memory.
-fn fluorescence() -> u32 {
-    let mut hash = Hash::new();
+fn fluorescence(hash: &mut Hash) {
     let mut random = Random(0x5eed_f100);
     for _ in 0..16 {
         let (light, paper) = (Light::from_bins(random.bins()), Reflectance::from_bins(random.bins()));
@@ -46,12 +45,10 @@ fn fluorescence() -> u32 {
             hash.all(&EYE.sees(light.onto(&paper).onto(&phosphor)));
         }
     }
-    hash.0
 }
 
 /// Mirrors on both sides of every angle that matters, polarisers, plates.
-fn polarisation() -> u32 {
-    let mut hash = Hash::new();
+fn polarisation(hash: &mut Hash) {
     let mut random = Random(0x5eed_9010);
     for _ in 0..32 {
         let light = Light::from_bins(random.bins());
@@ -69,12 +66,10 @@ fn polarisation() -> u32 {
         hash.all(&behind.looking_at_mirror(&lake).unpolarised_light().sees(&light));
         hash.all(lake.ignoring_polarisation().values());
     }
-    hash.0
 }
 
-fn rgb() -> u32 {
+fn rgb(hash: &mut Hash) {
     static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::of_rgb();
-    let mut hash = Hash::new();
     let mut random = Random(0x5eed_0369);
     for _ in 0..64 {
         let [[r, g, b], [s, h, c]]: [[f32; 3]; 2] = [(); 2].map(|()| random.bins());
@@ -82,11 +77,9 @@ fn rgb() -> u32 {
         let paint = Reflectance::from_rgb(Rgb::new(s, h, c));
         hash.all(&EYE.sees(lamp.onto(&paint).through(&paint)));
     }
-    hash.0
 }
 
-fn linearity() -> u32 {
-    let mut hash = Hash::new();
+fn linearity(hash: &mut Hash) {
     let mut random = Random(0x5eed_11ea);
     let counter = DeadTime::new(1e-6);
     for _ in 0..256 {
@@ -97,5 +90,4 @@ fn linearity() -> u32 {
             hash.one(bend.signal(random.unit()).unwrap_or(-1.0));
         }
     }
-    hash.0
 }

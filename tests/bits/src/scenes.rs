@@ -10,12 +10,11 @@ use nanospectra::{Light, Power, Reflectance};
 static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
-    report("scenes", scenes());
+    report("scenes", Hash::of(scenes));
 }
 
 /// Up to six random parts of random kinds.
-fn scenes() -> u32 {
-    let mut hash = Hash::new();
+fn scenes(hash: &mut Hash) {
     let mut random = Random(0x5eed_5ce0);
     for _ in 0..16 {
         let light = Light::from_bins(random.bins());
@@ -48,5 +47,4 @@ fn scenes() -> u32 {
         found.scene.left_out().for_each(|part| hash.word(part as u32));
         hash.all(found.scene.leaving_polarised(&light).values());
     }
-    hash.0
 }

@@ -13,16 +13,15 @@ use nanospectra::sensor::{
 use nanospectra::{Light, Nodes, Power};
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
-    report("readings", readings());
-    report("fixed", fixed());
-    report("reconstructions", reconstructions());
-    report("fits", fits());
-    report("noise-flicker", noise_flicker());
+    report("readings", Hash::of(readings));
+    report("fixed", Hash::of(fixed));
+    report("reconstructions", Hash::of(reconstructions));
+    report("fits", Hash::of(fits));
+    report("noise-flicker", Hash::of(noise_flicker));
 }
 
 /// Random counts of three chips, from nearly dark to saturated, through random calibrations to colours.
-pub fn readings() -> u32 {
-    let mut hash = Hash::new();
+pub fn readings(hash: &mut Hash) {
     let mut random = Random(0x5eed_c417);
     let exposures =
         [Exposure::as7341(16.0, 29, 599), Exposure::tcs3472(4.0, 0xc0), Exposure::new(0.5, 1.3, 0x00ff_ffff)];
@@ -35,11 +34,10 @@ pub fn readings() -> u32 {
             let to_xyz = to_xyz.without_crosstalk(&leak).unwrap_or(to_xyz);
             let full = exposure.full_scale() as f32 * (k * k) as f32 / 2304.0;
             let counts = random.bins().map(|share: f32| (1.03 * full * share) as u32);
-            reading(&mut hash, exposure, &to_xyz, &counts, &mut random);
-            reading(&mut hash, exposure, &to_xyz, &counts.map(|count| count as u16), &mut random);
+            reading(hash, exposure, &to_xyz, &counts, &mut random);
+            reading(hash, exposure, &to_xyz, &counts.map(|count| count as u16), &mut random);
         }
     }
-    hash.0
 }
 
 /// One reading: its colour, or why it has none.
@@ -71,13 +69,12 @@ fn reading<T: Count>(
 }
 
 /// The same chips by `Meter` and in integers: random counts, random chromaticities, random spectra of 16 bits.
-fn fixed() -> u32 {
+fn fixed(hash: &mut Hash) {
     const EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
     static TO_XYZ: Calibration<8> = SMOOTH.seen_by(&EYE);
     static FLOATS: Meter<8> = Meter::new(&EXPOSURE, &TO_XYZ).above(&[3.5; 8]);
     static INTEGERS: FixedMeter<8> = FixedMeter::above(&EXPOSURE, &[3.5; 8], &TO_XYZ).unwrap();
     static BANDS: FixedObserver<3, 31, TenNm> = FixedObserver::new(&EYE).unwrap();
-    let mut hash = Hash::new();
     let mut random = Random(0x5eed_1234);
     for _ in 0..256 {
         let counts: [u16; 8] = random.bins().map(|share: f32| (18_100.0 * share) as u16);
@@ -85,18 +82,17 @@ fn fixed() -> u32 {
             hash.all(&xyz.to_array());
         }
         match INTEGERS.xyz(&counts) {
-            Ok(xyz) => temperature(&mut hash, xyz),
+            Ok(xyz) => temperature(hash, xyz),
             Err(Unusable::Negative { xyz }) => hash.all(&xyz.to_array()),
             Err(_) => hash.word(0),
         }
         let xyz = random.bins().map(|share: f32| (0.2 + share) * 1e9);
-        temperature(&mut hash, FixedXyz::new(xyz.map(|x| x as i32), 20));
+        temperature(hash, FixedXyz::new(xyz.map(|x| x as i32), 20));
         let samples = from_fn(|_| (65_535.0 * random.unit()) as u16);
         for sum in BANDS.sees(&samples) {
             hash.word(sum as u32);
         }
     }
-    hash.0
 }
 
 fn temperature(hash: &mut Hash, xyz: FixedXyz) {
@@ -125,8 +121,7 @@ static SMOOTH: Reconstruction<8, 31, TenNm> = match Reconstruction::smooth(&CHIP
 
 /// Spectra behind counts: the matrix that was made while compiling, what it says, and the search without negative
 /// powers.
-fn reconstructions() -> u32 {
-    let mut hash = Hash::new();
+fn reconstructions(hash: &mut Hash) {
     let mut random = Random(0x5eed_5bec);
     SMOOTH.rows().iter().chain(SMOOTH.seen_by(&EYE).rows()).for_each(|row| hash.all(row));
     for k in 0..12 {
@@ -137,12 +132,10 @@ fn reconstructions() -> u32 {
             hash.all(spectrum.values());
         }
     }
-    hash.0
 }
 
 /// Calibrations from random patches, as an instrument makes them on a bench.
-fn fits() -> u32 {
-    let mut hash = Hash::new();
+fn fits(hash: &mut Hash) {
     let mut random = Random(0x5eed_f175);
     for _ in 0..8 {
         let mut fit = Fit::<8>::new();
@@ -156,12 +149,10 @@ fn fits() -> u32 {
         }
         hash.all(&fit.residual_rms());
     }
-    hash.0
 }
 
 /// What chance does to colour, what a lamp does in time, and which exposure comes next.
-fn noise_flicker() -> u32 {
-    let mut hash = Hash::new();
+fn noise_flicker(hash: &mut Hash) {
     let mut random = Random(0x5eed_7077);
     let to_xyz = SMOOTH.seen_by(&EYE);
     let noise = Noise { electrons_per_count: 20.0, read_counts: 2.5 };
@@ -183,5 +174,4 @@ fn noise_flicker() -> u32 {
         hash.maybe(amplitude_at(&wave, 1000.0, hz).map(|amplitude| [amplitude, 0.0]));
         hash.one(ladder[k % 4].residual_modulation(hz));
     }
-    hash.0
 }

@@ -10,14 +10,14 @@ use nanospectra::radiometry::{Cosine, Direction, Frame, form_factor, solid_angle
 use nanospectra::{Reflectance, Spectrum};
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
-    report("geometry", geometry());
-    report("surfaces", surfaces());
-    report("films", films());
-    report("volumes", volumes());
+    report("geometry", Hash::of(geometry));
+    report("surfaces", Hash::of(surfaces));
+    report("films", Hash::of(films));
+    report("volumes", Hash::of(volumes));
 }
 
-fn geometry() -> u32 {
-    let (mut hash, mut random) = (Hash::new(), Random(0x5eed_9e00));
+fn geometry(hash: &mut Hash) {
+    let mut random = Random(0x5eed_9e00);
     for _ in 0..64 {
         let [a, b, c] = random.bins::<3>().map(|unit| 0.01 + 3.0 * unit);
         hash.all(&[solid_angle::cone(a), solid_angle::sphere(a, a + b), solid_angle::disc_off_axis(a, b, c)]);
@@ -38,11 +38,10 @@ fn geometry() -> u32 {
             hash.all(&frame.towards(normal, tangent).map_or([0.0; 3], Direction::to_array));
         }
     }
-    hash.0
 }
 
-fn surfaces() -> u32 {
-    let (mut hash, mut random) = (Hash::new(), Random(0x5eed_5f0f));
+fn surfaces(hash: &mut Hash) {
+    let mut random = Random(0x5eed_5f0f);
     for _ in 0..32 {
         let [cosine, turns, share, eta, k] = random.bins();
         let (glass, metal) = (Dielectric::new(0.5 + 2.0 * eta), Conductor::new(2.0 * eta, 6.0 * k));
@@ -57,11 +56,10 @@ fn surfaces() -> u32 {
         hash.one(scattering::rho_hd(&rough, wo, &VisibleNormals::<4, 4>));
         hash.one(scattering::rho_hd(&OrenNayar::new(share, k), wo, &Cosine::<4, 8>));
     }
-    hash.0
 }
 
-fn films() -> u32 {
-    let (mut hash, mut random) = (Hash::new(), Random(0x5eed_f115));
+fn films(hash: &mut Hash) {
+    let mut random = Random(0x5eed_f115);
     for _ in 0..8 {
         let [cosine, thickness, index, metal, k] = random.bins();
         for reach in [1e2, 1e4, 1e6] {
@@ -78,11 +76,10 @@ fn films() -> u32 {
         let Shares { reflected, transmitted, absorbed } = Shares::mean(stack.at(400.0 + 300.0 * k, cosine));
         hash.all(&[reflected, transmitted, absorbed]);
     }
-    hash.0
 }
 
-fn volumes() -> u32 {
-    let (mut hash, mut random) = (Hash::new(), Random(0x5eed_0701));
+fn volumes(hash: &mut Hash) {
+    let mut random = Random(0x5eed_0701);
     for _ in 0..16 {
         let plate = Reflectance::<16>::from_bins(random.bins());
         let [path, r, nm] = random.bins();
@@ -104,5 +101,4 @@ fn volumes() -> u32 {
         hash.all(milk.reflectance().values());
         hash.all(milk.profile(r).values());
     }
-    hash.0
 }

@@ -2,6 +2,9 @@
 
 use super::csv::Row;
 
+/// The unit of rounding of f32: half the distance between 1 and the next number.
+pub const EPS: f64 = 1.0 / 16_777_216.0;
+
 /// Passes when `|got - expected| <= absolute + relative * |expected|`.
 pub struct Check {
     what: &'static str,
@@ -70,6 +73,17 @@ impl Check {
         let (what, worst) = (self.what, self.worst);
         self.finish(expected);
         assert!(worst >= 0.5, "{what}: the allowance is {:.1} times what is needed; lower it", 1.0 / worst);
+    }
+
+    /// As [`tight`](Check::tight), of as many numbers as there were.
+    pub fn tight_over_all(self) {
+        self.tight_over_more_than(0);
+    }
+
+    pub fn tight_over_more_than(self, least: usize) {
+        let compared = self.compared;
+        assert!(compared > least, "{}: {compared} numbers compared", self.what);
+        self.tight(compared);
     }
 
     /// Fails unless exactly `expected` numbers were compared and all were near enough.

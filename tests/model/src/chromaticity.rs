@@ -22,10 +22,6 @@ pub fn xyz_from_xy([x, y]: [f64; 2], luminance: f64) -> [f64; 3] {
     [x / y * luminance, luminance, (1.0 - x - y) / y * luminance]
 }
 
-pub fn uv1960_from_xy(at: [f64; 2]) -> [f64; 2] {
-    uv1960(xyz_from_xy(at, 1.0))
-}
-
 pub fn xy_from_uv1960([u, v]: [f64; 2]) -> [f64; 2] {
     let divisor = 2.0 * u - 8.0 * v + 4.0;
     [3.0 * u / divisor, 2.0 * v / divisor]

@@ -42,3 +42,4 @@ pub mod film;
 
 pub mod allowed;
 pub mod check;
+pub mod noise;

@@ -75,20 +75,17 @@ impl Photometry {
 
     /// Photons in micromoles per joule, both ends included.
     pub fn photons(&self, from_nm: u16, to_nm: u16) -> f64 {
-        (360..=830)
-            .zip(&self.watt)
-            .filter(|(nm, _)| (from_nm..=to_nm).contains(nm))
-            .map(|(nm, power)| power * f64::from(nm) * 1e-9 / (H * C * AVOGADRO) * 1e6)
-            .sum()
+        self.within(from_nm, to_nm).map(|(nm, power)| power * nm * 1e-9 / (H * C * AVOGADRO) * 1e6).sum()
     }
 
     /// Watts in a band, both ends included.
     pub fn band(&self, from_nm: u16, to_nm: u16) -> f64 {
-        (360..=830)
-            .zip(&self.watt)
-            .filter(|(nm, _)| (from_nm..=to_nm).contains(nm))
-            .map(|(_, power)| power)
-            .sum()
+        self.within(from_nm, to_nm).map(|(_, power)| power).sum()
+    }
+
+    fn within(&self, from_nm: u16, to_nm: u16) -> impl Iterator<Item = (f64, f64)> {
+        let all = (360..=830).zip(&self.watt);
+        all.filter(move |(nm, _)| (from_nm..=to_nm).contains(nm)).map(|(nm, power)| (f64::from(nm), *power))
     }
 }
 

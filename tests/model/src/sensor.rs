@@ -118,19 +118,3 @@ pub fn rebinned(pixel_edges: &[f64], counts: &[f64], edges: &[f64]) -> Vec<f64> 
         })
         .collect()
 }
-
-/// Numbers without a pattern.
-pub struct Noise(pub u64);
-
-impl Noise {
-    /// From 0 to 1.
-    pub fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Mean 0, variance 1.
-    pub fn normal(&mut self) -> f64 {
-        (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
-    }
-}

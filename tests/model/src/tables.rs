@@ -27,11 +27,6 @@ pub fn source(id: &str) -> Samples {
     light
 }
 
-/// Every id in the index of light sources, in its order.
-pub fn source_ids() -> Vec<&'static str> {
-    csv::table("spectra/sources_index.csv").rows().map(|row| row.text("id")).collect()
-}
-
 /// A reflectance sample as golden 04 names it: `TCS:TCS01`, `TCS15:TCS15`, `CES:CES42`, `VS:VS3`.
 pub fn reflectance(name: &str) -> Samples {
     let (family, column) = name.split_once(':').unwrap_or_else(|| panic!("{name}: no family before a colon"));

@@ -52,8 +52,7 @@ const BAD: &[(&str, usize, &str)] = &[
 #[test]
 fn bad_input_ends_with_one_line_that_says_where() {
     for (text, line, word) in BAD {
-        let outcome = MEASURE.run_with(text, &["-"]);
-        assert_refused(&outcome, &format!("stdin:{line}: "), word);
+        MEASURE.refuses_of(text, &["-"], &format!("stdin:{line}: "), word);
     }
 }
 
@@ -96,36 +95,17 @@ fn bad_files_and_options_end_with_one_line() {
         if arguments == &["--reflectance", two.as_str()] {
             fs::write(&two, "500 1 1\n505 2 2.5\n").expect("written");
         }
-        let outcome = MEASURE.run(arguments);
-        assert_refused(&outcome, start, word);
+        MEASURE.refuses(arguments, start, word);
     }
 }
 
 #[test]
 fn sprague_names_the_row_that_is_off_the_step() {
     let input = "400 1\n405 1\n411 1\n415 1\n420 1\n425 1\n";
-    let outcome = MEASURE.run_with(input, &["-", "--interpolation", "sprague"]);
-    assert_refused(&outcome, "stdin:3: ", "linear");
+    MEASURE.refuses_of(input, &["-", "--interpolation", "sprague"], "stdin:3: ", "linear");
 }
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let help = MEASURE.run(&["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for option in [
-        "--observer",
-        "--reflectance",
-        "--light",
-        "--unit",
-        "--interpolation",
-        "--json",
-        "--svg",
-        "--compare",
-    ] {
-        assert!(help.out.contains(option), "{option}");
-    }
-    assert_eq!(
-        MEASURE.run(&["--version"]).out.trim(),
-        concat!("nanospectra-measure ", env!("CARGO_PKG_VERSION"))
-    );
+    MEASURE.assert_helps("--observer --reflectance --light --unit --interpolation --json --svg --compare");
 }

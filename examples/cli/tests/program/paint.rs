@@ -1,6 +1,6 @@
 //! The command paint from outside: what it answers, in which order, and what it draws.
 
-use crate::run::{Program, assert_all_near, assert_near, number, numbers};
+use crate::run::{Program, assert_all_near, assert_near, files, keys, number, numbers};
 use model::fold::{EqualBins, Reconstruction, on_cie_nodes, weights};
 use model::interpolation::{Interpolation::Linear, Outside::Zero};
 use model::{linear, rgb, tables, transfer};
@@ -9,25 +9,11 @@ use nanospectra::upsample::{Sigmoid, SmitsBins, Viewing};
 use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance, light::D65, observer::CIE_1931};
 use serde_json::Value;
 use std::fs;
-use std::io::Write;
-use std::process::Stdio;
 
 const PAINT: Program = Program("paint", module_path!());
 
-const KEYS: [&str; 12] = [
-    "rgb",
-    "space",
-    "method",
-    "status",
-    "wavelengths_nm",
-    "spectrum",
-    "roundtrip_rgb",
-    "delta_e2000",
-    "linear",
-    "grid",
-    "beyond",
-    "lights",
-];
+const KEYS: &str = "rgb space method status wavelengths_nm spectrum roundtrip_rgb delta_e2000 \
+    linear grid beyond lights";
 
 /// XYZ of an answer's spectrum and of white under a light, Y = 100, by the f64 model.
 fn seen(answer: &Value, light: &str) -> ([f64; 3], [f64; 3]) {
@@ -139,8 +125,7 @@ fn a_spectrum_has_the_bits_that_the_library_gives() {
 #[test]
 fn keys_stand_in_order_and_grays_are_flat() {
     let answer = &PAINT.json(&["0.5,0.5,0.5", "--linear"])[0];
-    let keys: Vec<&str> = answer.as_object().expect("an object").keys().map(String::as_str).collect();
-    assert_eq!(keys, KEYS);
+    assert_eq!(keys(answer), KEYS);
     assert!(numbers(&answer["spectrum"]).iter().all(|share| *share == 0.5));
     assert_eq!(numbers(&answer["wavelengths_nm"])[..2], [380.0, 385.0]);
     let lights = answer["lights"].as_array().expect("lights");
@@ -210,8 +195,7 @@ fn what_no_surface_has_is_answered_with_a_status() {
     let bright = &PAINT.json(&["2,3,4"])[0];
     assert!(numbers(&bright["spectrum"]).iter().all(|share| *share == 1.0));
     assert!(number(&bright["delta_e2000"]) > 10.0);
-    let outcome = PAINT.run(&["1e20,1e30,-1e38", "--linear"]);
-    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    PAINT.says(&["1e20,1e30,-1e38", "--linear"]);
 }
 
 #[test]
@@ -291,32 +275,23 @@ fn without_colors_it_shows_samples_of_ces_99_under_three_lights() {
         assert_eq!(answer["lights"].as_array().map(Vec::len), Some(3));
         assert_follows_the_model(answer);
     }
-    let outcome = PAINT.run(&[]);
-    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    let report = PAINT.says(&[]);
     for word in ["24 samples of CES99", "D65, A, FL11", "CES01", "CES93"] {
-        assert!(outcome.out.contains(word), "{word}");
+        assert!(report.contains(word), "{word}");
     }
-    assert_eq!(outcome.out.lines().filter(|line| line.trim_start().starts_with("CES")).count(), 24);
+    assert_eq!(report.lines().filter(|line| line.trim_start().starts_with("CES")).count(), 24);
 }
 
 #[test]
 fn pictures_are_new_files_in_the_order_of_the_colors() {
     let pictures = PAINT.scratch("paint").join("made/here");
     let directory = pictures.to_str().expect("UTF-8");
-    let outcome = PAINT.run_with("0 0 0\n0 1 0\n", &["#cc331a", "-", "--svg", directory, "--space", "p3"]);
-    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
-    let list = || {
-        let entries = fs::read_dir(&pictures).expect("the directory was made");
-        let names = entries.map(|entry| entry.expect("an entry").file_name());
-        let mut names: Vec<String> = names.map(|name| name.into_string().expect("UTF-8")).collect();
-        names.sort();
-        names
-    };
-    let made = list();
+    let report = PAINT.says_to("0 0 0\n0 1 0\n", &["#cc331a", "-", "--svg", directory, "--space", "p3"]);
+    let made = files(&pictures);
     assert_eq!(made.len(), 3);
     for (name, number) in made.iter().zip(["1-", "2-000000", "3-00ff"]) {
         let text = fs::read_to_string(pictures.join(name)).expect("a text");
-        assert!(name.starts_with(number) && outcome.out.contains(name.as_str()), "{name}");
+        assert!(name.starts_with(number) && report.contains(name.as_str()), "{name}");
         assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
         assert!(text.contains("under FL11") && text.contains("url(#rainbow)") && !text.contains("NaN"));
     }
@@ -326,18 +301,14 @@ fn pictures_are_new_files_in_the_order_of_the_colors() {
     assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
     assert!(refused.err.contains("1-000000.svg: is there already; "), "{}", refused.err);
     assert_eq!(fs::read_to_string(pictures.join("1-000000.svg")).expect("still there"), "mine");
-    assert_eq!(list().len(), 4);
+    assert_eq!(files(&pictures).len(), 4);
 }
 
 #[test]
 fn pictures_stay_when_the_report_is_not_read_to_its_end() {
     let directory = PAINT.scratch("unread");
-    let mut child = PAINT.start(&["-", "--svg", directory.to_str().expect("UTF-8")], Stdio::piped());
-    drop(child.stdout.take());
-    child.stdin.take().expect("a pipe").write_all(b"0 0 0\n1 1 1\n").expect("it reads");
-    let output = child.wait_with_output().expect("it ends");
-    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
-    assert_eq!(fs::read_dir(directory).expect("a directory").count(), 2);
+    PAINT.assert_may_be_left_unread("0 0 0\n1 1 1\n", &["-", "--svg", directory.to_str().expect("UTF-8")]);
+    assert_eq!(files(&directory).len(), 2);
 }
 
 #[test]
@@ -355,17 +326,15 @@ fn a_run_that_fails_leaves_no_picture_behind() {
             message.starts_with("stdout: cannot be written") && message.lines().count() == 1,
             "{message}"
         );
-        let left = fs::read_dir(&directory).expect("a directory").map(|entry| entry.expect("an entry"));
-        assert_eq!(left.map(|entry| entry.file_name()).collect::<Vec<_>>(), ["mine"]);
+        assert_eq!(files(&directory), ["mine"]);
     }
 }
 
 #[test]
 fn a_piped_report_is_plain_text() {
     for arguments in [&["#c31", "0,0,0"][..], &[], &["--method", "smits"]] {
-        let outcome = PAINT.run(arguments);
-        assert_eq!(outcome.code, Some(0));
-        assert!(outcome.out.chars().all(|c| c == '\n' || !c.is_control()), "{:?}", outcome.out);
+        let report = PAINT.says(arguments);
+        assert!(report.chars().all(|c| c == '\n' || !c.is_control()), "{report:?}");
     }
     let report = PAINT.run(&["0.8,0.2,0.1"]).out;
     for word in

@@ -34,8 +34,7 @@ const BAD: &[(&[u8], usize, &str)] = &[
 #[test]
 fn bad_input_ends_with_one_line_that_says_where() {
     for (text, line, word) in BAD {
-        let outcome = PAINT.run_with(text, &["0,0,0", "-"]);
-        assert_refused(&outcome, &format!("stdin:{line}: "), word);
+        PAINT.refuses_of(text, &["0,0,0", "-"], &format!("stdin:{line}: "), word);
     }
 }
 
@@ -68,8 +67,7 @@ fn bad_words_and_options_end_with_one_line() {
         (&["--svg", file], &format!("--svg {file}: "), "directory"),
     ];
     for (arguments, start, word) in cases {
-        let outcome = PAINT.run(arguments);
-        assert_refused(&outcome, start, word);
+        PAINT.refuses(arguments, start, word);
     }
     for grid in ["bins:5,400,700", "nodes:81", "nodes:81,380,781", "nodes: 81,380,780", "", "81"] {
         let outcome = PAINT.run(&["--grid", grid, "0,0,0"]);
@@ -106,17 +104,7 @@ fn a_message_shows_how_a_long_cell_begins() {
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let help = PAINT.run(&["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for option in
-        ["--rgb", "--space", "--linear", "--method", "--beyond", "--light", "--grid", "--json", "--svg"]
-    {
-        assert!(help.out.contains(option), "{option}");
-    }
+    PAINT.assert_helps("--rgb --space --linear --method --beyond --light --grid --json --svg");
     // What the space's own transfer function is; `paint.rs` measures it.
-    assert!(help.out.contains("bt2020 by a power of 2.4 (BT.1886)"));
-    assert_eq!(
-        PAINT.run(&["--version"]).out.trim(),
-        concat!("nanospectra-paint ", env!("CARGO_PKG_VERSION"))
-    );
+    assert!(PAINT.says(&["--help"]).contains("bt2020 by a power of 2.4 (BT.1886)"));
 }

@@ -1,22 +1,20 @@
 //! The program without a command, with a wrong one, and with none of its own words.
 
-use crate::run::{Program, assert_refused};
+use crate::run::Program;
 
 const NANOSPECTRA: Program = Program("", module_path!());
 
 #[test]
 fn without_a_command_it_measures_the_lamp_it_brings() {
-    let (bare, measured) = (NANOSPECTRA.run(&[]), NANOSPECTRA.run(&["measure"]));
-    assert_eq!((bare.code, bare.err.as_str()), (Some(0), ""));
-    assert!(bare.out.contains("l41_white_led") && bare.out == measured.out);
+    let bare = NANOSPECTRA.says(&[]);
+    assert!(bare.contains("l41_white_led") && bare == NANOSPECTRA.says(&["measure"]));
 }
 
 #[test]
 fn help_names_every_command_with_a_sentence() {
-    let help = NANOSPECTRA.run(&["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
+    let help = NANOSPECTRA.says(&["--help"]);
     for command in ["measure", "sensor", "paint", "scene"] {
-        let line = help.out.lines().find(|line| line.trim_start().starts_with(command)).expect("a line");
+        let line = help.lines().find(|line| line.trim_start().starts_with(command)).expect("a line");
         assert!(line.split_whitespace().count() > 6, "{line}");
         let usage = NANOSPECTRA.run(&[command, "--help"]).out;
         assert!(usage.contains(&format!("Usage: nanospectra {command} [OPTIONS]")), "{usage}");
@@ -27,14 +25,9 @@ fn help_names_every_command_with_a_sentence() {
 #[test]
 fn a_word_that_is_no_command_is_refused_on_one_line() {
     for word in ["lamp.csv", "measur", "help"] {
-        let refused = NANOSPECTRA.run(&[word]);
-        assert_refused(&refused, &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
+        NANOSPECTRA.refuses(&[word], &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
     }
     let long = "x".repeat(300);
-    assert_refused(
-        &NANOSPECTRA.run(&[&long]),
-        &format!("nanospectra: '{}..' ", "x".repeat(40)),
-        "no command",
-    );
-    assert_refused(&NANOSPECTRA.run(&["--json"]), "nanospectra: ", "--json");
+    NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "no command");
+    NANOSPECTRA.refuses(&["--json"], "nanospectra: ", "--json");
 }

@@ -42,15 +42,68 @@ impl Program {
         self.run_with("", arguments)
     }
 
+    /// What it says to this input, without an error.
+    pub fn says_to(&self, input: impl AsRef<[u8]>, arguments: &[&str]) -> String {
+        let Outcome { code, out, err } = self.run_with(input, arguments);
+        assert_eq!((code, err.as_str()), (Some(0), ""), "{arguments:?}");
+        out
+    }
+
+    pub fn says(&self, arguments: &[&str]) -> String {
+        self.says_to("", arguments)
+    }
+
+    /// [`assert_refused`] of a run.
+    #[track_caller]
+    pub fn refuses(&self, arguments: &[&str], start: &str, word: &str) {
+        assert_refused(&self.run(arguments), start, word);
+    }
+
+    #[track_caller]
+    pub fn refuses_of(&self, input: impl AsRef<[u8]>, arguments: &[&str], start: &str, word: &str) {
+        assert_refused(&self.run_with(input, arguments), start, word);
+    }
+
+    /// Its help has all of these words, and its version is the package's.
+    pub fn assert_helps(&self, words: &str) {
+        let help = self.says(&["--help"]);
+        for word in words.split(' ') {
+            assert!(help.contains(word), "{word}");
+        }
+        let version = format!("nanospectra-{} {}\n", self.0, env!("CARGO_PKG_VERSION"));
+        assert_eq!(self.says(&["--version"]), version);
+    }
+
+    /// Whoever reads its answers stops before the first one comes: no error.
+    pub fn assert_may_be_left_unread(&self, input: &str, arguments: &[&str]) {
+        let mut child = self.start(arguments, Stdio::piped());
+        drop(child.stdout.take());
+        child.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("it reads");
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+    }
+
     /// Runs with `--json` and reads the objects.
     pub fn json_with(&self, input: &str, arguments: &[&str]) -> Vec<Value> {
-        let outcome = self.run_with(input, &[&["--json"], arguments].concat());
-        assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""), "{arguments:?}");
-        outcome.out.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
+        self.says_to(input, &[&["--json"], arguments].concat())
+            .lines()
+            .map(|line| serde_json::from_str(line).expect("one object a line"))
+            .collect()
     }
 
     pub fn json(&self, arguments: &[&str]) -> Vec<Value> {
         self.json_with("", arguments)
+    }
+
+    /// The only object.
+    pub fn one(&self, arguments: &[&str]) -> Value {
+        let [answer] = <[Value; 1]>::try_from(self.json(arguments)).expect("one answer");
+        answer
+    }
+
+    /// The answer to a scene written here.
+    pub fn written(&self, name: &str, toml: &str) -> Value {
+        self.one(&[&self.file(&format!("{name}.toml"), &format!("title = \"test\"\n{toml}"))])
     }
 
     /// A file of these tests' own below cargo's.
@@ -72,6 +125,20 @@ impl Program {
         Path::new(env!("CARGO_TARGET_TMPDIR"))
             .join(format!("{}-{name}", self.1.trim_start_matches("program::")))
     }
+}
+
+/// The names of the files in a directory, in their order.
+pub fn files(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).expect("the directory was made");
+    let names = entries.map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = names.map(|name| name.into_string().expect("UTF-8")).collect();
+    names.sort();
+    names
+}
+
+/// The keys of an object in their order, with spaces between.
+pub fn keys(object: &Value) -> String {
+    object.as_object().expect("an object").keys().map(String::as_str).collect::<Vec<_>>().join(" ")
 }
 
 pub fn number(value: &Value) -> f64 {

@@ -17,22 +17,9 @@ const BUNDLED: [&str; 6] = ["paper", "vest", "asphalt", "soap", "wine", "window"
 /// Bin k of nodes:81,380,780.
 const BINS: EqualBins = EqualBins { low: 377.5, high: 782.5, count: 81 };
 
-fn one(arguments: &[&str]) -> Value {
-    let mut answers = SCENE.json(arguments);
-    assert_eq!(answers.len(), 1, "{arguments:?}");
-    answers.remove(0)
-}
-
-/// The answer to a scene written here.
-fn written(name: &str, toml: &str) -> Value {
-    one(&[&SCENE.file(&format!("{name}.toml"), &format!("title = \"test\"\n{toml}"))])
-}
-
 /// The TOML of a bundled scene as the program prints it.
 fn bundled(name: &str) -> toml::Table {
-    let outcome = SCENE.run(&["--print", name]);
-    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
-    outcome.out.parse().expect("TOML")
+    SCENE.says(&["--print", name]).parse().expect("TOML")
 }
 
 /// [[nm, value], ..] over the 81 bins.
@@ -78,7 +65,7 @@ fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
 #[test]
 fn dyes_glow_as_photons_are_counted() {
     for (name, id, lux) in [("paper", "FL11", 500.0), ("vest", "LED-B3", 200.0)] {
-        let (scene, answer, lamp) = (bundled(name), one(&[name]), lamp(id));
+        let (scene, answer, lamp) = (bundled(name), SCENE.one(&[name]), lamp(id));
         let dye = &scene["part"][0]["dye"];
         let nm = |k: usize| 380.0 + 5.0 * k as f64;
         let reflects = over_bins(&dye["reflectance"], Outside::Hold);
@@ -111,7 +98,7 @@ fn dyes_glow_as_photons_are_counted() {
 
 #[test]
 fn wine_takes_its_absorbance_twice() {
-    let (scene, answer, lamp) = (bundled("wine"), one(&["wine"]), lamp("A"));
+    let (scene, answer, lamp) = (bundled("wine"), SCENE.one(&["wine"]), lamp("A"));
     let absorbance = over_bins(&scene["part"][0]["filter"]["absorbance_per_cm"], Outside::Hold);
     assert_eq!(scene["part"][2]["filter"], scene["part"][0]["filter"]);
     let leaving: Vec<f64> = lamp
@@ -128,7 +115,7 @@ fn films_of_soap_have_the_published_colours() {
     for row in csv::golden("10_thin_film_colour").rows().filter(|row| row.text("stack") == "soap") {
         let (thickness, angle) = (row.number("d_nm"), row.number("theta_deg"));
         let film = format!("film = {{ n = 1.33, thickness_nm = {thickness}, angle_deg = {angle} }}");
-        let answer = written("soap", &format!("[lamp]\ncie = \"D65\"\n[[part]]\n{film}\n"));
+        let answer = SCENE.written("soap", &format!("[lamp]\ncie = \"D65\"\n[[part]]\n{film}\n"));
         // 5 nm averages under a spline, where the golden sums points at 1 nm.
         let published = row.numbers(["X", "Y", "Z"]);
         for (found, published) in numbers(&answer["XYZ"]).into_iter().zip(published) {
@@ -139,7 +126,7 @@ fn films_of_soap_have_the_published_colours() {
     assert!(compared > 20 && worst < 4e-3, "{compared} films, {worst}");
     println!("{compared} films, worst {worst}");
     let row = csv::golden("10_thin_film_colour").find("id", "soap_300_0");
-    assert_all_near(&one(&["soap"])["XYZ"], &row.numbers(["X", "Y", "Z"]), 4e-3);
+    assert_all_near(&SCENE.one(&["soap"])["XYZ"], &row.numbers(["X", "Y", "Z"]), 4e-3);
 }
 
 /// Shares of s and p that a surface of index n reflects.
@@ -153,14 +140,14 @@ fn fresnel(n: f64, angle_deg: f64) -> [f64; 2] {
 
 #[test]
 fn sunglasses_take_the_glare_off_a_wet_road() {
-    let answer = one(&["asphalt"]);
+    let answer = SCENE.one(&["asphalt"]);
     let [s, p] = fresnel(1.333, 60.0);
     assert_near(&answer["XYZ"][1], 100.0 * 0.5 * (s * 0.001 + p * 0.76), 1e-5);
     assert!(number(&answer["bill"][1]["without_delta_e2000"]) > 5.0);
     assert_eq!(answer["absolute"]["luminance_cd_m2"], Value::Null);
     // The same sheet turned takes little.
     let turned = SCENE.run(&["--print", "asphalt"]).out.replace("axis_deg = 90", "axis_deg = 0");
-    let answer = one(&[&SCENE.file("turned.toml", &turned)]);
+    let answer = SCENE.one(&[&SCENE.file("turned.toml", &turned)]);
     assert_near(&answer["XYZ"][1], 100.0 * 0.5 * (s * 0.76 + p * 0.001), 1e-5);
 }
 
@@ -170,7 +157,7 @@ fn polarisers_follow_malus_and_crossed_ones_are_black() {
         let sheets = format!(
             "[lamp]\ncie = \"E\"\n[[part]]\npolariser.axis_deg = 0\n{between}[[part]]\npolariser.axis_deg = {deg}\n"
         );
-        written("pair", &sheets)
+        SCENE.written("pair", &sheets)
     };
     for deg in [0.0, 30.0, 45.0, 60.0, 90.0] {
         let malus = 50.0 * f64::to_radians(deg).cos().powi(2);
@@ -206,14 +193,14 @@ fn a_metal_turns_polarised_light_as_its_phase_says() {
     for (deg, sign) in [(45.0, 1.0), (-45.0, -1.0)] {
         // |r_s + r_p|^2 / 4 of the half that the first sheet passes.
         let expected = 0.5 * 0.25 * s2 * (1.0 + ratio2 + sign * 2.0 * ratio2.sqrt() * cos_delta);
-        let answer = written("gold", &parts("{ n = 0.4, k = 2.4, angle_deg = 70 }", deg));
+        let answer = SCENE.written("gold", &parts("{ n = 0.4, k = 2.4, angle_deg = 70 }", deg));
         assert_near(&answer["luminous_factor_percent"], 100.0 * expected, 2e-5);
     }
     // Total reflection: r_p / r_s has the phase -2 phi, tan(phi) = cos sqrt(sin^2 - n^2) / sin^2; beyond Brewster's
     // angle p comes back on the other side, so it is the sheet across that lets most of it through.
     let (sine2, cosine) = (60f64.to_radians().sin().powi(2), 60f64.to_radians().cos());
     let phi = (cosine * (sine2 - 0.66f64 * 0.66).sqrt() / sine2).atan();
-    let answer = written("total", &parts("{ n = 0.66, angle_deg = 60 }", -45.0));
+    let answer = SCENE.written("total", &parts("{ n = 0.66, angle_deg = 60 }", -45.0));
     assert_near(&answer["luminous_factor_percent"], 50.0 * phi.cos().powi(2), 2e-5);
     // Behind a plate the sign of the phase shows too: as the library has it.
     let plate = "retarder = { path_difference_nm = 137.5, axis_deg = 0 }";
@@ -222,7 +209,7 @@ fn a_metal_turns_polarised_light_as_its_phase_says() {
         &format!("[[part]]\n{plate}\n[[part]]\npolariser.axis_deg = -"),
         1,
     );
-    let answer = written("behind a plate", &sheets);
+    let answer = SCENE.written("behind a plate", &sheets);
     let eye: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Fold::Spline);
     let (lamp, [first, last]) = (Light::flat(1.0), [0.125, -0.125].map(Polariser::ideal));
     let (prism, plate) =
@@ -237,7 +224,7 @@ fn a_metal_turns_polarised_light_as_its_phase_says() {
 
 #[test]
 fn a_sensor_counts_what_its_channels_see() {
-    let (scene, answer, lamp) = (bundled("window"), one(&["window"]), lamp("D65"));
+    let (scene, answer, lamp) = (bundled("window"), SCENE.one(&["window"]), lamp("D65"));
     let glass = over_bins(&scene["part"][0]["filter"]["points"], Outside::Hold);
     let peaks = numbers(&answer["sensor"]["channels_nm"]);
     let widths = [26.0, 30.0, 36.0, 39.0, 39.0, 40.0, 50.0, 52.0];
@@ -284,11 +271,11 @@ fn a_sensor_counts_what_its_channels_see() {
 
 #[test]
 fn a_budget_leaves_out_what_does_not_show() {
-    let full = one(&["paper"]);
+    let full = SCENE.one(&["paper"]);
     let cost = number(&full["bill"][0]["without_delta_e2000"]);
     assert!(full["budget"].is_null() && full["bill"][0]["left_out"] == false);
     for (allowed, out) in [(cost - 0.01, 0), (cost + 0.01, 1), (0.0, 0)] {
-        let answer = one(&["paper", "--budget", &allowed.to_string()]);
+        let answer = SCENE.one(&["paper", "--budget", &allowed.to_string()]);
         let budget = &answer["budget"];
         assert_eq!(budget["left_out"].as_array().map(Vec::len), Some(out), "{allowed}");
         assert_near(&budget["cost_delta_e2000"], if out == 1 { cost } else { 0.0 }, 1e-6);
@@ -304,15 +291,16 @@ fn a_budget_leaves_out_what_does_not_show() {
 #[test]
 fn the_bill_is_that_of_the_library() {
     let price = |line: &Value| [&line["multiply_adds"], &line["bytes"]].map(|value| number(value) as usize);
-    let bill =
-        |name: &str| one(&[name])["bill"].as_array().expect("a bill").iter().map(price).collect::<Vec<_>>();
+    let bill = |name: &str| {
+        SCENE.one(&[name])["bill"].as_array().expect("a bill").iter().map(price).collect::<Vec<_>>()
+    };
     assert_eq!(bill("wine"), vec![[81, 324]; 3]);
     assert_eq!(bill("vest"), [[243, 972]]);
     // Unpolarised light before the first part that polarises is a quarter of the work.
     assert_eq!(bill("asphalt"), [[324, 1304], [1296, 1304]]);
-    let answer = one(&["vest"]);
+    let answer = SCENE.one(&["vest"]);
     assert_eq!((price(&answer["walked"]), price(&answer["folded"])), ([486, 2268], [243, 1296]));
-    let soap = one(&["soap"]);
+    let soap = SCENE.one(&["soap"]);
     assert_eq!((price(&soap["walked"]), price(&soap["folded"])), ([324, 1620], [243, 1296]));
 }
 
@@ -324,16 +312,15 @@ fn every_bundled_scene_is_listed_and_starts_one_of_the_users() {
         assert!(listed.lines().any(|line| line.starts_with(&format!("  {name} "))), "{name}");
         let text = SCENE.run(&["--print", name]).out;
         let path = SCENE.file(&format!("{name}.toml"), &text);
-        let (mut copied, original) = (one(&[&path]), one(&[name]));
+        let (mut copied, original) = (SCENE.one(&[&path]), SCENE.one(&[name]));
         // Named after its file, which has the test's name before it.
         assert_eq!((&original["scene"], &copied["scene"]), (&name.into(), &format!("scene-{name}").into()));
         copied["scene"] = original["scene"].clone();
         assert_eq!(copied, original);
         assert!(text.contains('#'), "{name} says nothing about its numbers");
-        let report = SCENE.run(&[name]);
-        assert_eq!((report.code, report.err.as_str()), (Some(0), ""));
-        assert!(report.out.contains(original["hex"].as_str().expect("a code")));
-        assert!(!report.out.contains('\u{1b}') && !report.out.contains("NaN"));
+        let report = SCENE.says(&[name]);
+        assert!(report.contains(original["hex"].as_str().expect("a code")));
+        assert!(!report.contains('\u{1b}') && !report.contains("NaN"));
     }
     let texts = BUNDLED.map(|name| SCENE.run(&["--print", name]).out).concat();
     assert!(texts.matches("ominal").count() >= 4, "what is invented says so");
@@ -347,7 +334,7 @@ fn every_way_to_give_a_lamp_and_a_share_gives_it() {
     let answer = |lamp: &str, part: &str| {
         let path = folder.join("scene.toml");
         fs::write(&path, format!("title = \"test\"\n[lamp]\n{lamp}\n[[part]]\n{part}\n")).expect("a file");
-        one(&[path.to_str().expect("UTF-8")])
+        SCENE.one(&[path.to_str().expect("UTF-8")])
     };
     let half = answer("cie = \"e\"", "filter.flat = 0.5");
     assert_near(&half["luminous_factor_percent"], 50.0, 1e-5);
@@ -372,7 +359,7 @@ fn every_way_to_give_a_lamp_and_a_share_gives_it() {
             let head = format!(
                 "grid = \"{grid}\"\neye = \"{eye}\"\n[lamp]\ncie = \"D65\"\n[[part]]\nfilter.flat = 0.25\n"
             );
-            let answer = written("grids", &head);
+            let answer = SCENE.written("grids", &head);
             assert_near(&answer["luminous_factor_percent"], 25.0, 1e-5);
             assert_eq!((&answer["grid"], &answer["eye"]), (&grid.into(), &eye.into()));
         }

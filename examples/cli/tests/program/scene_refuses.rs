@@ -78,7 +78,7 @@ fn a_bad_part_ends_with_one_line_that_says_where() {
     for (k, (toml, line, word)) in BAD.iter().enumerate() {
         let path =
             SCENE.file(&format!("bad-{k}.toml"), &format!("title = \"bad\"\n[lamp]\ncie = \"D65\"\n{toml}"));
-        assert_refused(&SCENE.run(&[&path]), &format!("{path}:{line}: "), word);
+        SCENE.refuses(&[&path], &format!("{path}:{line}: "), word);
     }
 }
 
@@ -104,17 +104,17 @@ fn a_bad_lamp_is_refused() {
     for (k, (lamp, word)) in BAD_LAMPS.iter().enumerate() {
         let toml = format!("title = \"bad\"\n\n[lamp]\n{lamp}\n[[part]]\nfilter.flat = 0.5\n");
         let path = SCENE.file(&format!("lamp-{k}.toml"), &toml);
-        assert_refused(&SCENE.run(&[&path]), &format!("{path}:3: "), word);
+        SCENE.refuses(&[&path], &format!("{path}:3: "), word);
     }
 }
 
 #[test]
 fn a_scene_without_parts_is_refused_however_it_is_written() {
     let path = SCENE.file("empty.toml", "title = \"bad\"\npart = []\n[lamp]\ncie = \"D65\"\n");
-    assert_refused(&SCENE.run(&[&path]), &format!("{path}:2: "), "without a part");
+    SCENE.refuses(&[&path], &format!("{path}:2: "), "without a part");
     // Files may be called in capitals.
     let path = SCENE.file("empty.TOML", "title = \"bad\"\n[lamp]\ncie = \"D65\"\n");
-    assert_refused(&SCENE.run(&[&path]), &format!("{path}:1: "), "missing field `part`");
+    SCENE.refuses(&[&path], &format!("{path}:1: "), "missing field `part`");
 }
 
 #[test]
@@ -142,15 +142,15 @@ fn what_is_not_there_is_named() {
     let (outcome, path) = scene("", &"filter.flat = 1\n[[part]]\n".repeat(17));
     assert_refused(&outcome, &format!("{path}:"), "more than 16 parts");
 
-    assert_refused(&SCENE.run(&["moon"]), "moon: ", "paper, vest");
-    assert_refused(&SCENE.run(&["--print", "moon"]), "moon: ", "paper, vest");
-    assert_refused(&SCENE.run(&["not-there.toml"]), "not-there.toml: ", "no such file");
-    assert_refused(&SCENE.run(&["vest", "--budget", "-1"]), "--budget: ", "no colour difference");
-    assert_refused(&SCENE.run(&["vest", "--budget", "nan"]), "--budget: ", "no colour difference");
-    assert_refused(&SCENE.run(&["vest", "--budget", "much"]), "scene: ", "much");
-    assert_refused(&SCENE.run(&["--json"]), "scene: ", "--list");
-    assert_refused(&SCENE.run(&["vest", "--list"]), "scene: ", "cannot be used");
-    assert_refused(&SCENE.run(&["vest", "--svg", "/dev/null/x"]), "--svg /dev/null/x: ", "cannot be written");
+    SCENE.refuses(&["moon"], "moon: ", "paper, vest");
+    SCENE.refuses(&["--print", "moon"], "moon: ", "paper, vest");
+    SCENE.refuses(&["not-there.toml"], "not-there.toml: ", "no such file");
+    SCENE.refuses(&["vest", "--budget", "-1"], "--budget: ", "no colour difference");
+    SCENE.refuses(&["vest", "--budget", "nan"], "--budget: ", "no colour difference");
+    SCENE.refuses(&["vest", "--budget", "much"], "scene: ", "much");
+    SCENE.refuses(&["--json"], "scene: ", "--list");
+    SCENE.refuses(&["vest", "--list"], "scene: ", "cannot be used");
+    SCENE.refuses(&["vest", "--svg", "/dev/null/x"], "--svg /dev/null/x: ", "cannot be written");
 }
 
 #[test]
@@ -160,5 +160,5 @@ fn a_name_of_many_characters_or_escapes_stays_on_its_line() {
     let outcome = SCENE.run(&[&SCENE.file("escapes.toml", toml)]);
     assert_eq!(outcome.code, Some(0));
     assert!(!outcome.out.contains(['\u{1b}', '\u{7}']), "{:?}", outcome.out);
-    assert_refused(&SCENE.run(&[&"x".repeat(500)]), &format!("{}..: ", "x".repeat(40)), "no scene");
+    SCENE.refuses(&[&"x".repeat(500)], &format!("{}..: ", "x".repeat(40)), "no scene");
 }

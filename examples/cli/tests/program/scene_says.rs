@@ -1,27 +1,16 @@
 //! What the command scene says and draws: levels, luminances, shares, colours, help.
 
-use crate::run::{Program, assert_near, assert_refused, number};
+use crate::run::{Program, assert_near, number};
 use serde_json::Value;
 use std::fs;
 
 const SCENE: Program = Program("scene", module_path!());
 
-fn one(arguments: &[&str]) -> Value {
-    let mut answers = SCENE.json(arguments);
-    assert_eq!(answers.len(), 1, "{arguments:?}");
-    answers.remove(0)
-}
-
-/// The answer to a scene written here.
-fn written(name: &str, toml: &str) -> Value {
-    one(&[&SCENE.file(&format!("{name}.toml"), &format!("title = \"test\"\n{toml}"))])
-}
-
 #[test]
 fn a_channel_that_the_bare_lamp_leaves_dark_has_no_share() {
     let dark = "sensor = \"AS7341\"\n[lamp]\npoints = [[699, 0], [700, 1], [701, 0]]\nilluminance_lx = 100\n\
                 [[part]]\nfilter.flat = 0.5\n";
-    let answer = written("dark", dark);
+    let answer = SCENE.written("dark", dark);
     assert_eq!(answer["sensor"]["of_lamp"][0], Value::Null);
     assert_near(&answer["sensor"]["of_lamp"][7], 0.5, 1e-6);
     let report = SCENE.run(&[&SCENE.file("dark.toml", &format!("title = \"dark\"\n{dark}"))]).out;
@@ -40,7 +29,7 @@ fn the_level_asked_for_is_the_level_told_on_every_grid() {
             let head = format!(
                 "grid = \"{grid}\"\n[lamp]\n{lamp}\nilluminance_lx = 500\n[[part]]\nsurface.flat = 0.5\n"
             );
-            let absolute = &written("level", &head)["absolute"];
+            let absolute = &SCENE.written("level", &head)["absolute"];
             assert_near(&absolute["illuminance_lx"], 500.0, 1e-3);
             assert_near(&absolute["exitance_lm_m2"], 250.0, 1e-3);
         }
@@ -51,7 +40,7 @@ fn the_level_asked_for_is_the_level_told_on_every_grid() {
 fn matt_is_what_scatters_last_whatever_sheets_are_behind_it() {
     let luminance = |parts: &str| {
         let head = format!("[lamp]\ncie = \"E\"\nilluminance_lx = 100\n{parts}");
-        written("matt", &head)["absolute"]["luminance_cd_m2"].clone()
+        SCENE.written("matt", &head)["absolute"]["luminance_cd_m2"].clone()
     };
     let paper = "[[part]]\nsurface.flat = 0.8\n";
     let dye = |more: &str| {
@@ -84,7 +73,7 @@ fn a_colour_that_displays_do_not_have_says_so() {
         ("grey", green.replace("points = [[500, 0], [520, 0.5], [540, 0]]", "flat = 0.5"), false),
         ("white", green.replace("points = [[500, 0], [520, 0.5], [540, 0]]", "flat = 1"), false),
     ] {
-        assert_eq!(written(name, &toml)["hex_is_clipped"], is_clipped, "{name}");
+        assert_eq!(SCENE.written(name, &toml)["hex_is_clipped"], is_clipped, "{name}");
         let report =
             SCENE.run(&[&SCENE.file(&format!("{name}.toml"), &format!("title = \"test\"\n{toml}"))]).out;
         assert_eq!(report.contains("clipped"), is_clipped, "{report}");
@@ -96,7 +85,7 @@ fn films_at_an_angle_stand_alone_or_behind_what_scatters() {
     let film = "[[part]]\nfilm = { n = 1.5, thickness_nm = 300, angle_deg = 56.31 }\n";
     let sheet = "[[part]]\npolariser.axis_deg = 30\n";
     let factor = |parts: &str| {
-        number(&written("film", &format!("[lamp]\ncie = \"E\"\n{parts}"))["luminous_factor_percent"])
+        number(&SCENE.written("film", &format!("[lamp]\ncie = \"E\"\n{parts}"))["luminous_factor_percent"])
     };
     let alone = factor(film);
     let between = "[[part]]\nsurface.flat = 1\n";
@@ -112,10 +101,10 @@ fn films_at_an_angle_stand_alone_or_behind_what_scatters() {
 fn a_picture_is_drawn_once() {
     let folder = SCENE.scratch("svg");
     let path = folder.join("pictures");
-    let (outcome, answer) = (SCENE.run(&["vest", "--svg", path.to_str().expect("UTF-8")]), one(&["vest"]));
-    assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""));
+    let (report, answer) =
+        (SCENE.says(&["vest", "--svg", path.to_str().expect("UTF-8")]), SCENE.one(&["vest"]));
     let picture = fs::read_to_string(path.join("vest.svg")).expect("a picture");
-    assert!(outcome.out.contains("vest.svg"));
+    assert!(report.contains("vest.svg"));
     for part in ["<svg", "</svg>", "hi-vis yellow", "fluorescence", answer["hex"].as_str().expect("a code")] {
         assert!(picture.contains(part), "no {part}");
     }
@@ -124,7 +113,7 @@ fn a_picture_is_drawn_once() {
     let left = left.to_str().expect("UTF-8");
     assert_eq!(SCENE.run(&["vest", "--budget", "20", "--svg", left]).code, Some(0));
     let picture = fs::read_to_string(left).expect("a picture");
-    let budget = one(&["vest", "--budget", "20"])["budget"]["hex"].clone();
+    let budget = SCENE.one(&["vest", "--budget", "20"])["budget"]["hex"].clone();
     for part in ["within 20 CIEDE2000: 1 effect left out", budget.as_str().expect("a code")] {
         assert!(picture.contains(part), "no {part}");
     }
@@ -136,14 +125,13 @@ fn a_picture_is_drawn_once() {
     let named = folder.join("mine.SVG");
     let named = named.to_str().expect("UTF-8");
     assert_eq!(SCENE.run(&["wine", "--svg", named]).code, Some(0));
-    let again = SCENE.run(&["wine", "--svg", named]);
-    assert_refused(&again, &format!("--svg {named}: "), "already");
+    SCENE.refuses(&["wine", "--svg", named], &format!("--svg {named}: "), "already");
 }
 
 #[test]
 fn help_names_every_json_key() {
     let help = SCENE.run(&["--help"]).out;
-    let answer = one(&["window", "--budget", "1"]);
+    let answer = SCENE.one(&["window", "--budget", "1"]);
     let mut keys: Vec<&String> = Vec::new();
     let mut look = vec![&answer];
     while let Some(value) = look.pop() {

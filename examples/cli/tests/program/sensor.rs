@@ -8,8 +8,6 @@ use nanospectra::sensor::nominal;
 use nanospectra::{Fine, Interpolation, Power, light};
 use nanospectra_cli::sensor::simulate;
 use serde_json::Value;
-use std::io::Write;
-use std::process::Stdio;
 
 const SENSOR: Program = Program("sensor", module_path!());
 
@@ -53,7 +51,7 @@ const NEAR: [(&str, [f64; 4]); 6] = [
 
 #[test]
 fn known_lamps_have_nearly_their_colors() {
-    let readings = SENSOR.json_with("", &[]);
+    let readings = SENSOR.json(&[]);
     for ((label, name, lux), (same, [xy, share, duv, of_y])) in simulate::LAMPS.into_iter().zip(NEAR) {
         assert_eq!(label, same);
         let reading = labelled(&readings, label);
@@ -86,7 +84,7 @@ fn known_lamps_have_nearly_their_colors() {
 
 #[test]
 fn what_is_no_measurement_says_so() {
-    let readings = SENSOR.json_with("", &[]);
+    let readings = SENSOR.json(&[]);
     let dark = labelled(&readings, "dark");
     assert_eq!(dark["status"], "too dark");
     assert!(dark["XYZ"].is_null() && dark["cct_k"].is_null() && dark["next"]["same"] == true);
@@ -106,7 +104,7 @@ fn what_is_no_measurement_says_so() {
 
 #[test]
 fn flicker_is_found_at_its_frequency_and_averages_to_its_duty() {
-    let run = SENSOR.json_with("", &[]).pop().expect("a run at the end");
+    let run = SENSOR.json(&[]).pop().expect("a run at the end");
     assert_eq!([&run["kind"], &run["label"]], ["run", "PWM"]);
     assert_near("rate", &run["rate_hz"], 999.2, 0.01);
     let at = &run["flicker"][0];
@@ -135,9 +133,9 @@ fn measured_responsivities_give_lux_and_photons() {
         text += &format!("{nm},{}\n", cells.join(","));
     }
     let path = SENSOR.file("responsivity.csv", &text);
-    let readings = SENSOR.json_with("", &["--responsivity", &path, "--unit", "absolute"]);
-    let relative = SENSOR.json_with("", &["--responsivity", &path]);
-    let nominal = SENSOR.json_with("", &[]);
+    let readings = SENSOR.json(&["--responsivity", &path, "--unit", "absolute"]);
+    let relative = SENSOR.json(&["--responsivity", &path]);
+    let nominal = SENSOR.json(&[]);
     for (label, name, lux) in simulate::LAMPS {
         let reading = labelled(&readings, label);
         println!("{label}: {} lx, {} umol/m2/s", reading["lux"], reading["ppfd"]);
@@ -167,7 +165,7 @@ fn measured_patches_give_lux_and_color_of_lamps_that_were_not_among_them() {
         text += &format!("{basic},{x},{y},{z}\n");
     }
     let path = SENSOR.file("patches.csv", &text);
-    let readings = SENSOR.json_with("", &["--calibration", &path]);
+    let readings = SENSOR.json(&["--calibration", &path]);
     for (label, name, lux) in simulate::LAMPS {
         let reading = labelled(&readings, label);
         let truth = xyz(&simulate::lamp(name, lux)).uv1960().expect("a color").cct();
@@ -180,7 +178,7 @@ fn measured_patches_give_lux_and_color_of_lamps_that_were_not_among_them() {
         assert!(has_note(reading, "condition") && !has_note(reading, "Y is relative"));
         assert!(number(&reading["ppfd"]) > 0.0);
     }
-    assert!(SENSOR.json_with("", &["--calibration", &path, "--unit", "relative"])[0]["lux"].is_null());
+    assert!(SENSOR.json(&["--calibration", &path, "--unit", "relative"])[0]["lux"].is_null());
 }
 
 #[test]
@@ -299,19 +297,13 @@ fn answers_come_in_the_order_of_the_log_and_none_is_lost() {
     let labels: Vec<&str> = readings.iter().filter_map(|reading| reading["label"].as_str()).collect();
     assert_eq!(labels, ["FL11", "A", "D65", "HP1", "dark"]);
     assert_eq!(readings[4]["line"], 8);
-    let text = SENSOR.run_with(log.as_bytes(), &["-"]);
-    assert_eq!((text.code, text.err.as_str()), (Some(0), ""));
+    let text = SENSOR.says_to(&log, &["-"]);
     for word in ["NOMINAL", "TOO DARK", "relative", "FL11", "next", "notes"] {
-        assert!(text.out.contains(word), "{word} in {}", text.out);
+        assert!(text.contains(word), "{word} in {text}");
     }
 }
 
 #[test]
 fn a_pipe_that_is_closed_is_no_error() {
-    let mut child = SENSOR.start(&["--json", "-"], Stdio::piped());
-    drop(child.stdout.take());
-    let log = SENSOR.run_with(b"", &["--simulate"]).out;
-    child.stdin.take().expect("a pipe").write_all(log.as_bytes()).expect("it reads");
-    let output = child.wait_with_output().expect("it ends");
-    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+    SENSOR.assert_may_be_left_unread(&SENSOR.says(&["--simulate"]), &["--json", "-"]);
 }

@@ -1,6 +1,6 @@
 //! What the command sensor does not take: exit code 2 and one line that says where, what and what to do.
 
-use crate::run::{Program, assert_refused};
+use crate::run::Program;
 
 const SENSOR: Program = Program("sensor", module_path!());
 
@@ -49,13 +49,11 @@ const BAD: &[(&[&str], &str, &str, &str)] = &[
 fn what_is_wrong_ends_with_one_line_that_says_where() {
     for (options, log, start, word) in BAD {
         let log = log.replace("G\n", "# raw counts\ngain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n");
-        let outcome = SENSOR.run_with(log.as_bytes(), &[options, &["-"][..]].concat());
-        assert_refused(&outcome, start, word);
+        SENSOR.refuses_of(log.as_bytes(), &[options, &["-"][..]].concat(), start, word);
     }
-    let without_log = SENSOR.run_with(b"", &["--sensor", "as7343"]);
-    assert_refused(&without_log, "--sensor: ", "LOG of yours");
-    assert_refused(&SENSOR.run_with(b"\xff\xfea\0", &["-"]), "stdin:1: ", "UTF-16");
-    assert_refused(&SENSOR.run_with(b"a\n\xb5\n", &["-"]), "stdin:2: ", "UTF-8");
+    SENSOR.refuses_of(b"", &["--sensor", "as7343"], "--sensor: ", "LOG of yours");
+    SENSOR.refuses_of(b"\xff\xfea\0", &["-"], "stdin:1: ", "UTF-16");
+    SENSOR.refuses_of(b"a\n\xb5\n", &["-"], "stdin:2: ", "UTF-8");
 }
 
 #[test]
@@ -76,28 +74,28 @@ fn files_about_the_chip_are_checked_as_strictly() {
     ];
     for (option, text, line, word) in cases {
         let path = SENSOR.file("bad.csv", text);
-        let outcome = SENSOR.run_with(log.as_bytes(), &["--sensor", "custom", option, &path, "-"]);
-        assert_refused(&outcome, &format!("{path}:{line}: "), word);
+        SENSOR.refuses_of(
+            log.as_bytes(),
+            &["--sensor", "custom", option, &path, "-"],
+            &format!("{path}:{line}: "),
+            word,
+        );
     }
     for (text, word) in [
         ("a,b,X,Y,Z\n1,2,3,4,5\n", "1 patches for 2 channels"),
         ("a,b,X,Y,Z\n1,2,3,4,5\n2,4,3,4,5\n3,6,1,1,1\n", "told apart"),
     ] {
         let path = SENSOR.file("few.csv", text);
-        let outcome = SENSOR.run_with(log.as_bytes(), &["--sensor", "custom", "--calibration", &path, "-"]);
-        assert_refused(&outcome, &format!("{path}: "), word);
+        SENSOR.refuses_of(
+            log.as_bytes(),
+            &["--sensor", "custom", "--calibration", &path, "-"],
+            &format!("{path}: "),
+            word,
+        );
     }
 }
 
 #[test]
 fn help_and_version_are_no_errors() {
-    let help = SENSOR.run_with(b"", &["--help"]);
-    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for word in ["--sensor", "--responsivity", "--calibration", "--dark", "--json", "astep", "NOMINAL"] {
-        assert!(help.out.contains(word), "{word}");
-    }
-    assert_eq!(
-        SENSOR.run_with(b"", &["--version"]).out.trim(),
-        concat!("nanospectra-sensor ", env!("CARGO_PKG_VERSION"))
-    );
+    SENSOR.assert_helps("--sensor --responsivity --calibration --dark --json astep NOMINAL");
 }

@@ -2,7 +2,7 @@
 
 mod printed;
 
-use crate::cells::{COUNTED, TIME, beaten, bytes, counted, in_order, largest};
+use crate::cells::{beaten, bytes, in_order, largest, mean, priced, with_price};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
 use model::cct::uv_at;
@@ -103,7 +103,7 @@ pub fn tables(runs: usize) -> Vec<Table> {
 }
 
 fn summary(methods: &[Method], bands: &[Band], runs: usize) -> Table {
-    let mut columns = vec![
+    let columns = with_price(vec![
         Column::key("method", "method"),
         Column::figure("max_mired_of_lamps", "lamps: max, mired"),
         Column::figure("mean_mired", "plane: mean"),
@@ -111,9 +111,7 @@ fn summary(methods: &[Method], bands: &[Band], runs: usize) -> Table {
         Column::figure("unanswered_percent", "no answer, %"),
         Column::figure("bytes", "bytes"),
         Column::figure("beaten_by", "beaten by"),
-    ];
-    columns.extend(COUNTED);
-    columns.push(TIME);
+    ]);
     let of = |method: &Method| -> (Vec<f64>, Vec<f64>) {
         let errors = |usual: bool| {
             let bands = bands.iter().filter(|band| !usual || band.is_usual());
@@ -127,18 +125,16 @@ fn summary(methods: &[Method], bands: &[Band], runs: usize) -> Table {
         errors.iter().zip(methods).map(|((usual, _), method)| (most(usual), method.bytes as f64)).collect();
     let all: usize = bands.iter().map(|band| band.points.len()).sum();
     let rows = methods.iter().zip(errors).zip(beaten(&choices)).map(|((method, (usual, plane)), beaten)| {
-        let mut row = vec![
+        let row = vec![
             Cell::key(method.name),
             largest(usual),
-            Cell::figure(plane.iter().sum::<f64>() / plane.len() as f64),
+            Cell::figure(mean(&plane)),
             Cell::figure(most(&plane)),
             Cell::figure(100.0 * (1.0 - plane.len() as f64 / all as f64)),
             bytes(method.bytes),
             beaten,
         ];
-        row.extend(counted(method.word));
-        row.push(Cell::time(nanoseconds(runs, || (method.cct_k)(black_box([0.2, 0.31])))));
-        row
+        priced(row, method.word, nanoseconds(runs, || (method.cct_k)(black_box([0.2, 0.31]))))
     });
     Table {
         id: "cct",
@@ -163,12 +159,11 @@ fn by_band(methods: &[Method], bands: &[Band]) -> Table {
             errors.iter().map(worst).zip(methods.iter().map(|method| method.bytes as f64)).collect();
         for ((method, errors), beaten) in methods.iter().zip(errors).zip(beaten(&choices)) {
             let unanswered = 100.0 * (1.0 - errors.len() as f64 / band.points.len() as f64);
-            let mean = errors.iter().sum::<f64>() / errors.len() as f64;
             rows.push(vec![
                 Cell::key(method.name),
                 Cell::key(format!("{}..{}", band.kelvins[0], band.kelvins[1])),
                 Cell::key(format!("{}..{}", band.duvs[0], band.duvs[1])),
-                if errors.is_empty() { Cell::Nothing } else { Cell::figure(mean) },
+                if errors.is_empty() { Cell::Nothing } else { Cell::figure(mean(&errors)) },
                 largest(errors),
                 Cell::figure(unanswered),
                 beaten,

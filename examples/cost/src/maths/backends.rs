@@ -1,7 +1,24 @@
 //! All backends of the crate, and what is said of their errors.
 
 use crate::report::Cell;
-pub use nanospectra::math::{Fast, Libm, Math, Micromath, Portable, Std};
+pub use nanospectra::math::Math;
+
+/// The rows that `$of` gives for every backend and its name.
+macro_rules! of_each {
+    ($of:ident $(, $argument:expr)*) => {
+        [
+            $of::<nanospectra::math::Portable>("Portable" $(, $argument)*),
+            $of::<nanospectra::math::Fast>("Fast" $(, $argument)*),
+            $of::<nanospectra::math::Libm>("Libm" $(, $argument)*),
+            $of::<nanospectra::math::Micromath>("Micromath" $(, $argument)*),
+            $of::<nanospectra::math::Std>("Std" $(, $argument)*),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    };
+}
+pub(crate) use of_each;
 
 /// A largest error. Other platforms have another `Std`, with other last bits: of that two digits, rounded up.
 pub fn error_of(backend: &str, error: f64) -> Cell {

@@ -1,7 +1,7 @@
 //! What colour makes of the functions, and by how much the colour is off.
 
-use super::backends::{Fast, Libm, Math, Micromath, Portable, Std, error_of};
-use crate::cells::{COUNTED, TIME, counted, in_order};
+use super::backends::{Math, error_of, of_each};
+use crate::cells::{in_order, priced, with_price};
 use crate::clock::nanoseconds;
 use crate::nanometres::{Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
@@ -21,26 +21,15 @@ use std::hint::black_box;
 
 pub fn table(runs: usize) -> Table {
     let trials = Trials::new();
-    let mut rows: Vec<Vec<Cell>> = [
-        of::<Portable>("Portable", &trials, runs),
-        of::<Fast>("Fast", &trials, runs),
-        of::<Libm>("Libm", &trials, runs),
-        of::<Micromath>("Micromath", &trials, runs),
-        of::<Std>("Std", &trials, runs),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let mut rows: Vec<Vec<Cell>> = of_each!(of, &trials, runs);
     in_order(&mut rows, NAMES.iter().map(|name| name.0));
     rows.push(fresnel(runs));
-    let mut columns = vec![
+    let columns = with_price(vec![
         Column::key("composite", "what"),
         Column::key("backend", "backend"),
         Column::key("unit", "error in"),
         Column::figure("max_error", "largest error"),
-    ];
-    columns.extend(COUNTED);
-    columns.push(TIME);
+    ]);
     Table {
         id: "maths-composites",
         title: "What the functions do to colour".into(),
@@ -114,10 +103,8 @@ fn of<M: Math>(backend: &'static str, trials: &Trials, runs: usize) -> Vec<Vec<C
     let mut all = Vec::new();
     let mut add = |error: f64, time: f64| {
         let Some((name, word, unit)) = names.next() else { return };
-        let mut row = vec![Cell::key(name), Cell::key(backend), Cell::key(unit), error_of(backend, error)];
-        row.extend(counted(&on_record(word, backend)));
-        row.push(Cell::time(time));
-        all.push(row);
+        let row = vec![Cell::key(name), Cell::key(backend), Cell::key(unit), error_of(backend, error)];
+        all.push(priced(row, &on_record(word, backend), time));
     };
     let shifts = trials.bodies.iter().map(|&(kelvin, exact)| {
         let power: Vec<f64> = (0..NODES).map(|k| blackbody_with::<M>(nm(k) as f32, kelvin).into()).collect();
@@ -169,13 +156,11 @@ fn fresnel(runs: usize) -> Vec<Cell> {
         })
     });
     let time = nanoseconds(runs, || Dielectric::new(black_box(1.5)).fresnel(black_box(0.6)).unpolarised());
-    let mut row = vec![
+    let row = vec![
         Cell::key("reflectance by Fresnel"),
         Cell::key("any"),
         Cell::key("shares of it"),
         Cell::figure(largest(errors)),
     ];
-    row.extend(counted("maths-fresnel"));
-    row.push(Cell::time(time));
-    row
+    priced(row, "maths-fresnel", time)
 }

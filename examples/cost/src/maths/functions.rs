@@ -1,7 +1,7 @@
 //! One function at a time, over its domain.
 
-use super::backends::{Fast, Libm, Math, Micromath, Portable, Std, error_of};
-use crate::cells::{COUNTED, TIME, counted, in_order};
+use super::backends::{Math, error_of, of_each};
+use crate::cells::{in_order, priced, with_price};
 use crate::clock::nanoseconds;
 use crate::report::{Cell, Column, Table};
 use std::f64::consts::TAU;
@@ -11,27 +11,16 @@ use std::hint::black_box;
 const TRIED: u32 = 200_000;
 
 pub fn table(runs: usize) -> Table {
-    let mut rows: Vec<Vec<Cell>> = [
-        of::<Portable>("Portable", runs),
-        of::<Fast>("Fast", runs),
-        of::<Libm>("Libm", runs),
-        of::<Micromath>("Micromath", runs),
-        of::<Std>("Std", runs),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let mut rows: Vec<Vec<Cell>> = of_each!(of, runs);
     // By function, and the backends in their order.
     in_order(&mut rows, NAMES.iter().map(|name| name.0));
-    let mut columns = vec![
+    let columns = with_price(vec![
         Column::key("function", "function"),
         Column::key("backend", "backend"),
         Column::key("measure", "error is"),
         Column::figure("max_error", "largest error"),
         Column::figure("max_ulp", "in ulp"),
-    ];
-    columns.extend(COUNTED);
-    columns.push(TIME);
+    ]);
     Table {
         id: "maths",
         title: "Elementary functions of f32, by backend".into(),
@@ -86,9 +75,7 @@ fn of<M: Math>(backend: &'static str, runs: usize) -> Vec<Vec<Cell>> {
             row.extend(errors.map_or([Cell::Nothing, Cell::Nothing], |errors| {
                 errors.map(|error| error_of(backend, error))
             }));
-            row.extend(counted(&format!("maths-{word}-{}", backend.to_lowercase())));
-            row.push(Cell::time(time));
-            all.push(row);
+            all.push(priced(row, &format!("maths-{word}-{}", backend.to_lowercase()), time));
         };
     macro_rules! one {
         ($f:expr, $exact:expr, $measure:expr, $inputs:expr, $at:expr) => {

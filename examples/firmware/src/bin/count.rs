@@ -5,7 +5,7 @@
 #![no_std]
 #![no_main]
 
-use nanospectra::color::{Cct, Lab, Uv1976, Xy, Xyz, ciede2000};
+use nanospectra::color::{Lab, Xy, Xyz, ciede2000};
 use nanospectra::light::{D65, FL11};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::{Fine, Interpolation, Outside, Power, Reflectance, math};
@@ -15,30 +15,26 @@ use semihosting::{println, process};
 static FL11_FINE: Fine<Power> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
 static WHITE: Xyz = Xyz { x: 95.047, y: 100.0, z: 108.883 };
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     let clock = Clock::start();
 
-    folded::<3>(&clock);
-    folded::<8>(&clock);
-    folded::<12>(&clock);
-    folded::<16>(&clock);
-    folded::<20>(&clock);
-    folded::<24>(&clock);
-    folded::<31>(&clock);
-    folded::<36>(&clock);
-    folded::<40>(&clock);
-    folded::<60>(&clock);
-    folded::<81>(&clock);
-    folded::<95>(&clock);
-    count(&clock, "xyz-471", xyz_471, &[D65.interpolate(Interpolation::Linear, Outside::Zero)]);
+    macro_rules! each {
+        ($($n:literal)*) => { $(folded::<$n>(&clock);)* };
+    }
+    each!(3 8 12 16 20 24 31 36 40 60 81 95);
+    count(
+        &clock,
+        "xyz-471",
+        |light, xyz| *xyz = CIE_1931.sees(light),
+        &[D65.interpolate(Interpolation::Linear, Outside::Zero)],
+    );
 
     // A pale, a dark, a strong blue and a strong red: both sides of Lab's knee.
     let colors = [[40.0, 50.0, 45.0], [0.3, 0.4, 0.2], [20.0, 10.0, 90.0], [40.0, 20.0, 0.5]].map(Xyz::from);
-    count(&clock, "xy", xy, &colors);
-    count(&clock, "uv1976", uv1976, &colors);
-    count(&clock, "lab", lab, &colors);
+    count(&clock, "xy", |xyz, out| *out = xyz.xy(), &colors);
+    count(&clock, "uv1976", |xyz, out| *out = xyz.uv1976(), &colors);
+    count(&clock, "lab", |xyz, out| *out = xyz.lab(WHITE), &colors);
 
     // Blues (Sharma's first pair), opposite hues (his tenth), a grey beside a colour.
     let pairs = [
@@ -48,7 +44,7 @@ fn main() -> ! {
         [[50.0, 0.0, 0.0], [50.0, -1.0, 2.0]],
     ]
     .map(|pair| pair.map(|[l, a, b]| Lab { l, a, b }));
-    count(&clock, "ciede2000", difference, &pairs);
+    count(&clock, "ciede2000", |[x, y], out| *out = ciede2000(*x, *y), &pairs);
 
     // Candle, incandescent, fluorescent, daylight, overcast sky, clear sky; green and pink of the locus.
     let lights = [
@@ -62,17 +58,15 @@ fn main() -> ! {
         [0.3800, 0.3300],
     ]
     .map(|[x, y]| Xy { x, y });
-    count(&clock, "cct-duv", cct_duv, &lights);
+    count(&clock, "cct-duv", |xy, out| *out = Some(xy.uv1960().cct()), &lights);
 
-    count(&clock, "sqrt", sqrt, &[2.0, 1e-40, 1e30]);
-    count(&clock, "cbrt", cbrt, &[2.0, 1e-40, -1e30]);
+    count(&clock, "sqrt", |x, root| *root = math::sqrt(*x), &[2.0, 1e-40, 1e30]);
+    count(&clock, "cbrt", |x, root| *root = math::cbrt(*x), &[2.0, 1e-40, -1e30]);
     process::exit(0)
 }
 
-/// Prints the longest of the calls. (`inputs` go through a `black_box`, so the compiler knows nothing of them.)
 fn count<A, R: Default>(clock: &Clock, name: &str, f: fn(&A, &mut R), inputs: &[A]) {
-    let longest = inputs.iter().map(|input| clock.count(f, input, &mut R::default())).max();
-    println!("{name} {}", longest.unwrap_or(0));
+    println!("{name} {}", clock.longest(f, inputs));
 }
 
 /// A surface of N bands to XYZ, the lamp folded into the eye.
@@ -84,44 +78,4 @@ fn folded<const N: usize>(clock: &Clock) {
 fn xyz<const N: usize>(paper: &Reflectance<N>, xyz: &mut [f32; 3]) {
     let eye: &Observer<3, N> = const { &CIE_1931.under(&FL11_FINE).fold(Curve::Spline).with_white_y(100.0) };
     *xyz = eye.sees(paper);
-}
-
-#[inline(never)]
-fn xyz_471(light: &Fine<Power>, xyz: &mut [f32; 3]) {
-    *xyz = CIE_1931.sees(light);
-}
-
-#[inline(never)]
-fn xy(xyz: &Xyz, out: &mut Option<Xy>) {
-    *out = xyz.xy();
-}
-
-#[inline(never)]
-fn uv1976(xyz: &Xyz, out: &mut Option<Uv1976>) {
-    *out = xyz.uv1976();
-}
-
-#[inline(never)]
-fn lab(xyz: &Xyz, out: &mut Option<Lab>) {
-    *out = xyz.lab(WHITE);
-}
-
-#[inline(never)]
-fn difference([x, y]: &[Lab; 2], out: &mut f32) {
-    *out = ciede2000(*x, *y);
-}
-
-#[inline(never)]
-fn cct_duv(xy: &Xy, out: &mut Option<Cct>) {
-    *out = Some(xy.uv1960().cct());
-}
-
-#[inline(never)]
-fn sqrt(x: &f32, root: &mut f32) {
-    *root = math::sqrt(*x);
-}
-
-#[inline(never)]
-fn cbrt(x: &f32, root: &mut f32) {
-    *root = math::cbrt(*x);
 }

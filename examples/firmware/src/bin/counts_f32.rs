@@ -5,6 +5,8 @@
 #![no_std]
 #![no_main]
 
+mod without_panic;
+
 use core::hint::black_box;
 use nanospectra::sensor::Unusable;
 use nanospectra_firmware::pipeline::{Color, measure};
@@ -12,8 +14,7 @@ use nanospectra_firmware::pipeline::{Color, measure};
 /// What the bus left in memory.
 static COUNTS: [u16; 8] = [1000; 8];
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     loop {
         black_box(&reading(black_box(&COUNTS)));
@@ -24,14 +25,4 @@ fn main() -> ! {
 #[inline(never)]
 fn reading(counts: &[u16; 8]) -> Result<Color, Unusable> {
     measure(counts)
-}
-
-unsafe extern "C" {
-    /// Defined nowhere: an image with a reachable panic does not link.
-    safe fn this_image_can_panic() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    this_image_can_panic()
 }

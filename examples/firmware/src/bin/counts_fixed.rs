@@ -5,26 +5,17 @@
 #![no_std]
 #![no_main]
 
+mod without_panic;
+
 use core::hint::black_box;
 use nanospectra_firmware::pipeline::measure_fixed;
 
 /// What the bus left in memory.
 static COUNTS: [u16; 8] = [1000; 8];
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     loop {
         black_box(&measure_fixed(black_box(&COUNTS)));
     }
-}
-
-unsafe extern "C" {
-    /// Defined nowhere: an image with a reachable panic does not link.
-    safe fn this_image_can_panic() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    this_image_can_panic()
 }

@@ -20,8 +20,7 @@ fn main() {
 }
 
 #[cfg(target_os = "none")]
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     process::exit(read())
 }

@@ -8,8 +8,7 @@ use core::hint::black_box;
 use nanospectra_hard::cases::{self, Cases};
 use semihosting::{println, process};
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     run();
     #[cfg(target_abi = "eabihf")]

@@ -4,6 +4,8 @@
 #![no_std]
 #![no_main]
 
+mod without_panic;
+
 use core::hint::black_box;
 use nanospectra::matter::{
     Absorber, Brdf, Burley, Cauchy, Conductor, Dielectric, Dipole, Donaldson, Dye, Glass, Lambert, Layer,
@@ -23,8 +25,7 @@ use nanospectra_firmware::vest::VEST;
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     loop {
         paths();
@@ -151,14 +152,4 @@ fn films_and_volumes() {
     let skin: Burley<31> = Burley::from_mean_free_path(soap, [share; 31], SearchLight::Diffuse);
     let milk: Dipole<31> = Dipole::new([share; 31], [nm; 31], 1.0 + share);
     black_box((skin.times_radius(share), skin.within(share), milk.profile(share), milk.reflectance()));
-}
-
-unsafe extern "C" {
-    /// Defined nowhere: an image with a reachable panic does not link.
-    safe fn this_image_can_panic() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    this_image_can_panic()
 }

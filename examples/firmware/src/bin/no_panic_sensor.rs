@@ -3,6 +3,8 @@
 #![no_std]
 #![no_main]
 
+mod without_panic;
+
 use core::hint::black_box;
 use nanospectra::Light;
 use nanospectra::observer::{CIE_1931, Curve, Observer};
@@ -18,8 +20,7 @@ type TenNm = Nodes<400, 700>;
 static CHIP: Observer<8, 31, Power, TenNm> = nominal::AS7341.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, TenNm> = CIE_1931.fold(Curve::Step);
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     loop {
         let _ = black_box(measure(&black_box([1000; 8])));
@@ -86,14 +87,4 @@ fn time() {
     black_box((window.median(), window.mean(), Flicker::of(window.iter(), rate, hz)));
     black_box((mean_over_periods(window.iter(), rate, hz), amplitude_at(window.iter(), rate, hz)));
     black_box(Exposure::as7341(black_box(16.0), 29, 599).residual_modulation(hz));
-}
-
-unsafe extern "C" {
-    /// Defined nowhere: an image with a reachable panic does not link.
-    safe fn this_image_can_panic() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    this_image_can_panic()
 }

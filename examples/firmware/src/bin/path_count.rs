@@ -22,8 +22,7 @@ struct Parts {
     lake: Mirror<31>,
 }
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     let clock = Clock::start();
     let parts = Parts {
@@ -34,23 +33,23 @@ fn main() -> ! {
         matrix: Donaldson::of_reflectance(&Reflectance::flat(0.5)),
         lake: Mirror::dielectric(&[1.33; 31], 0.6, 0.0),
     };
-    count(&clock, "path-surface", surface, &parts);
+    count(&clock, "path-surface", |parts, xyz| *xyz = EYE.sees(parts.sun.onto(&parts.paper)), &parts);
     count(&clock, "path-surface-by-hand", surface_by_hand, &parts);
-    count(&clock, "path-glass-surface", glass_surface, &parts);
+    count(
+        &clock,
+        "path-glass-surface",
+        |parts, xyz| *xyz = EYE.sees(parts.sun.through(&parts.glass).onto(&parts.paper)),
+        &parts,
+    );
     count(&clock, "path-glass-surface-by-hand", glass_surface_by_hand, &parts);
-    count(&clock, "path-dye", dye, &parts);
-    count(&clock, "path-donaldson", donaldson, &parts);
+    count(&clock, "path-dye", |parts, xyz| *xyz = EYE.sees(parts.sun.onto(parts.vest)), &parts);
+    count(&clock, "path-donaldson", |parts, xyz| *xyz = EYE.sees(parts.sun.onto(&parts.matrix)), &parts);
     count(&clock, "path-two-mirrors", two_mirrors, &parts);
     process::exit(0)
 }
 
 fn count(clock: &Clock, name: &str, f: fn(&Parts, &mut [f32; 3]), parts: &Parts) {
     println!("{name} {}", clock.count(f, parts, &mut [0.0; 3]));
-}
-
-#[inline(never)]
-fn surface(parts: &Parts, xyz: &mut [f32; 3]) {
-    *xyz = EYE.sees(parts.sun.onto(&parts.paper));
 }
 
 #[inline(never)]
@@ -64,11 +63,6 @@ fn surface_by_hand(parts: &Parts, xyz: &mut [f32; 3]) {
 }
 
 #[inline(never)]
-fn glass_surface(parts: &Parts, xyz: &mut [f32; 3]) {
-    *xyz = EYE.sees(parts.sun.through(&parts.glass).onto(&parts.paper));
-}
-
-#[inline(never)]
 fn glass_surface_by_hand(parts: &Parts, xyz: &mut [f32; 3]) {
     let (sun, glass, paper) = (parts.sun.values(), parts.glass.values(), parts.paper.values());
     let mut bins = Light::flat(0.0);
@@ -76,16 +70,6 @@ fn glass_surface_by_hand(parts: &Parts, xyz: &mut [f32; 3]) {
         *bin = sun * glass * paper;
     }
     *xyz = EYE.sees(&bins);
-}
-
-#[inline(never)]
-fn dye(parts: &Parts, xyz: &mut [f32; 3]) {
-    *xyz = EYE.sees(parts.sun.onto(parts.vest));
-}
-
-#[inline(never)]
-fn donaldson(parts: &Parts, xyz: &mut [f32; 3]) {
-    *xyz = EYE.sees(parts.sun.onto(&parts.matrix));
 }
 
 #[inline(never)]

@@ -13,16 +13,13 @@ use semihosting::{println, process};
 const EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Spline);
 static SCENE: Observer<3, 31> = EYE.looking_at_dye(&VEST).under(&LAMP);
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     let clock = Clock::start();
     let filter = Reflectance::flat(0.8);
-    println!("path-vest-folded {}", clock.count(sees, &filter, &mut [0.0; 3]));
+    println!(
+        "path-vest-folded {}",
+        clock.count(|filter, xyz| *xyz = SCENE.sees(filter), &filter, &mut [0.0; 3])
+    );
     process::exit(0)
-}
-
-#[inline(never)]
-fn sees(filter: &Reflectance<31>, xyz: &mut [f32; 3]) {
-    *xyz = SCENE.sees(filter);
 }

@@ -16,8 +16,7 @@ mod image {
     use nanospectra_firmware::readings::{BREATH_HZ, RATE_HZ, RECORDING};
     use semihosting::process;
 
-    #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-    #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+    #[nanospectra_firmware::entry]
     fn main() -> ! {
         let (mut lux, mut kelvins) = (Window::<5>::new(), Window::<5>::new());
         for counts in &RECORDING {

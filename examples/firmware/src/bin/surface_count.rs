@@ -22,22 +22,13 @@ impl<const N: usize> Parts<N> {
     }
 }
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     let clock = Clock::start();
-    count::<3>(&clock);
-    count::<8>(&clock);
-    count::<12>(&clock);
-    count::<16>(&clock);
-    count::<20>(&clock);
-    count::<24>(&clock);
-    count::<31>(&clock);
-    count::<36>(&clock);
-    count::<40>(&clock);
-    count::<60>(&clock);
-    count::<81>(&clock);
-    count::<95>(&clock);
+    macro_rules! each {
+        ($($n:literal)*) => { $(count::<$n>(&clock);)* };
+    }
+    each!(3 8 12 16 20 24 31 36 40 60 81 95);
     process::exit(0)
 }
 

@@ -25,8 +25,7 @@ static QUINTIC: Sigmoid<31, Grid, Srgb, Quintic> = Sigmoid::new(&EYE);
 static BASIS: Basis<31, Grid> = Basis::new(&EYE);
 static SMITS: Smits<31, Grid> = Smits::new();
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     let clock = Clock::start();
     count(&clock, "linear", by_linear);

@@ -15,8 +15,7 @@ use semihosting::{println, process};
 static DAYLIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
 static Y: FineObserver<1> = CIE_1931.mixed(&[[0.0, 1.0, 0.0]]);
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     let clock = Clock::start();
     count(&clock, "rgb-product", rgb_product, &[[[0.9, 0.8, 0.7], [0.5, 0.2, 0.1]]]);

@@ -7,7 +7,7 @@
 pub mod record;
 mod table;
 
-use crate::check::Check;
+use crate::check::{Check, EPS};
 use std::sync::LazyLock;
 use table::Table;
 
@@ -28,6 +28,9 @@ pub fn check(what: &'static str) -> Check {
 pub trait Singles {
     fn add(&mut self, place: &str, got: f32, expected: f64);
 
+    /// The relative error, in units of rounding.
+    fn in_eps(&mut self, place: &str, got: f32, exact: f64);
+
     fn add_all(&mut self, place: &str, got: [f32; 3], expected: [f64; 3]) {
         got.into_iter().zip(expected).for_each(|(got, expected)| self.add(place, got, expected));
     }
@@ -36,5 +39,8 @@ pub trait Singles {
 impl Singles for Check {
     fn add(&mut self, place: &str, got: f32, expected: f64) {
         self.value(place, f64::from(got), expected);
+    }
+    fn in_eps(&mut self, place: &str, got: f32, exact: f64) {
+        self.value(place, (f64::from(got) - exact).abs() / (exact * EPS), 0.0);
     }
 }

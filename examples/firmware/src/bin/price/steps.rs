@@ -10,8 +10,7 @@ use nanospectra_firmware::steps;
 use prices::Prices;
 use semihosting::process;
 
-#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+#[nanospectra_firmware::entry]
 fn main() -> ! {
     steps::all(&mut Prices(Clock::start()));
     process::exit(0)
