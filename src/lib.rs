@@ -77,7 +77,17 @@
 
 mod grid;
 
+mod price;
+
+mod samples;
+
 mod spectrum;
+
+mod sum;
+
+mod tristimulus;
+
+pub mod geometry;
 
 pub mod light;
 

@@ -6,12 +6,12 @@ use model::check::Check;
 use model::csv::golden;
 use model::fresnel::{absorbed, amplitudes, reflectances, unpolarised};
 use model::surface;
+use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};
 use nanospectra::matter::scattering::rho_hd;
 use nanospectra::matter::{
     Brdf, Components, Conductor, Dielectric, Lambert, Microfacet, OrenNayar, Reflector, TrowbridgeReitz,
     VisibleNormals,
 };
-use nanospectra::radiometry::{Direction, GaussLegendre, Hemisphere};
 
 /// The unit of rounding: half the distance between 1 and the next f32.
 const EPS: f64 = 1.0 / 16_777_216.0;

@@ -1,8 +1,9 @@
 //! Where a surface lies in the world: axes at right angles for every normal, and the way there and back.
 
 use model::allowed::check;
+use nanospectra::geometry::{Direction, Frame};
 use nanospectra::matter::{Brdf, Conductor, Microfacet, TrowbridgeReitz};
-use nanospectra::radiometry::{Direction, Frame, Intensity, PointSource, Radiant, SurfaceElement};
+use nanospectra::radiometry::{Intensity, PointSource, Radiant, SurfaceElement};
 
 /// Numbers of -1..1, the same in every run.
 struct Random(u64);
