@@ -1,6 +1,6 @@
 //! Modules of the library depend downwards only, in the order of the story that `src/lib.rs` tells.
 
-use crate::claims::sections::sources;
+use crate::claims::sections::{Texts, texts};
 use std::collections::BTreeSet;
 
 /// From the ground up: a module may use those before it.
@@ -22,6 +22,11 @@ const ORDER: [&str; 16] = [
     "radiometry",
     "sensor",
 ];
+
+/// The top-level module that a file of the library belongs to.
+fn module(file: &str) -> Option<&str> {
+    file.strip_prefix("src/")?.split(['/', '.']).next()
+}
 
 fn height(module: &str) -> usize {
     ORDER.iter().position(|name| *name == module).unwrap_or_else(|| panic!("{module} is no module of ORDER"))
@@ -48,13 +53,13 @@ fn used(text: &str) -> BTreeSet<String> {
 }
 
 /// The arrows that point upwards: from which file to which module.
-fn arrows_back(sources: &[(String, String)]) -> Vec<String> {
+fn arrows_back(texts: &Texts) -> Vec<String> {
     let mut faults = Vec::new();
-    for (file, text) in sources.iter().filter(|(file, _)| file != "lib.rs") {
-        let module = file.split(['/', '.']).next().unwrap_or_default();
+    for (file, text) in texts {
+        let Some(module) = module(file).filter(|module| *module != "lib") else { continue };
         for name in used(text) {
             if height(&name) > height(module) {
-                faults.push(format!("src/{file} uses crate::{name}, which is above {module}"));
+                faults.push(format!("{file} uses crate::{name}, which is above {module}"));
             }
         }
     }
@@ -63,14 +68,14 @@ fn arrows_back(sources: &[(String, String)]) -> Vec<String> {
 
 #[test]
 fn no_module_uses_one_above_it() {
-    let faults = arrows_back(&sources());
+    let faults = arrows_back(&texts());
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
 fn every_module_has_its_place() {
-    let files = sources();
-    let found: BTreeSet<&str> = files.iter().filter_map(|(file, _)| file.split(['/', '.']).next()).collect();
+    let texts = texts();
+    let found: BTreeSet<&str> = texts.keys().filter_map(|file| module(file)).collect();
     assert_eq!(found, ORDER.into_iter().chain(["lib"]).collect());
 }
 
@@ -83,13 +88,21 @@ fn an_arrow_back_is_found() {
         "use crate::{grid::Grid, sensor::Meter};",
         "use crate::{\n    grid::Grid,\n    color::Xyz,\n};",
     ] {
-        assert_eq!(arrows_back(&[("spectrum/series.rs".into(), code.into())]).len(), 1, "{code}");
+        assert_eq!(
+            arrows_back(&Texts::from([("src/spectrum/series.rs".into(), code.into())])).len(),
+            1,
+            "{code}"
+        );
     }
     for code in [
         "/// [`x`](crate::sensor::Meter)",
         "use crate::grid::Grid; // crate::path",
         "#[cfg(test)]\ncrate::sensor",
     ] {
-        assert_eq!(arrows_back(&[("spectrum/series.rs".into(), code.into())]).len(), 0, "{code}");
+        assert_eq!(
+            arrows_back(&Texts::from([("src/spectrum/series.rs".into(), code.into())])).len(),
+            0,
+            "{code}"
+        );
     }
 }
