@@ -43,10 +43,12 @@
 //! * [`path`]: lamp, filter, surface, in that order; fluorescence and polarisation where they are called for.
 //! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
 //! * [`upsample`]: the way back: a spectrum for an RGB, exact, smooth and within 0..=1.
-//! * [`radiometry`]: how much of it, where: radiance to lux with units, solid angles, form factors, directions and the
-//!   hemisphere; melanopic stimulation, photons.
+//! * [`radiometry`]: how much of it, where: radiance to lux with units, solid angles, form factors; melanopic stimulation,
+//!   photons.
 //! * [`sensor`]: how silicon sees it: raw counts to colour, calibration, uncertainty, integers only.
-//! * [`math`]: the elementary functions, and the backends that provide them.
+//!
+//! Below them all lie [`geometry`]: directions, frames and integrals over the hemisphere; and [`math`]: the elementary
+//! functions, and the backends that provide them.
 //!
 //! # Conventions
 //!
@@ -77,7 +79,17 @@
 
 mod grid;
 
+mod price;
+
+mod samples;
+
 mod spectrum;
+
+mod sum;
+
+mod tristimulus;
+
+pub mod geometry;
 
 pub mod light;
 

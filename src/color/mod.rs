@@ -23,8 +23,8 @@ mod test_colors;
 #[cfg(feature = "libm")]
 mod tm30;
 pub mod transfer;
-mod xyz;
 
+pub use crate::tristimulus::{Uv1960, Uv1976, Xy, Xyz};
 pub use adaptation::{Adaptation, Bradford, Cat02, Cat16, Cones, VonKries};
 pub use cct::Cct;
 #[cfg(feature = "libm")]
@@ -45,4 +45,3 @@ pub(crate) use rgb_space::to_xyz64;
 pub use rgb_space::{AcesCg, AdobeRgb, Bt2020, DisplayP3, RgbSpace, Srgb};
 #[cfg(feature = "libm")]
 pub use tm30::{HueBin, Tm30, tm30};
-pub use xyz::{Uv1960, Uv1976, Xy, Xyz};

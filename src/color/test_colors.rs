@@ -9,8 +9,8 @@
 //! three spectra for daylight, a Chebyshev series of ten for a black body.
 
 use crate::light::{S0, S1, S2, daylight_factors};
-use crate::matter::{TCS, TCS_5NM};
 use crate::observer::{CIE_1931, FineObserver};
+use crate::samples::{TCS, TCS_5NM};
 use crate::spectrum::{BEYOND, Factor, Fine, Interpolation, Outside, Power, quintic};
 
 include!(concat!(env!("OUT_DIR"), "/reference.rs"));

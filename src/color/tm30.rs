@@ -4,8 +4,8 @@ use crate::color::Xyz;
 use crate::color::cam02ucs::{Cam02Ucs, Viewing};
 use crate::color::reference::{RenderingError, daylight, planckian, temperature};
 use crate::math::{Math, Portable, sqrt};
-use crate::matter::CES;
-use crate::observer::{CIE_1931, CIE_1964};
+use crate::observer::{CIE_1931, CIE_1964, FineObserver};
+use crate::samples::CES;
 use crate::spectrum::{Factor, Fine, Power};
 
 /// How a light renders the 99 colour evaluation samples.
@@ -116,7 +116,7 @@ fn reference(cct_k: f32) -> Fine<Power> {
 
 /// The eye of the method under one light.
 struct Judge {
-    eye: crate::FineObserver<3, Factor>,
+    eye: FineObserver<3, Factor>,
     viewing: Viewing,
 }
 

@@ -1,9 +1,9 @@
 //! CIE daylight of any correlated colour temperature.
 
-use crate::color::Xy;
 use crate::grid::Nodes;
 use crate::light::{S0, S1, S2};
 use crate::spectrum::{Power, Spectrum};
+use crate::tristimulus::Xy;
 
 /// A daylight spectrum on the grid of its components, 5 nm steps over 300..=830 nm.
 pub type Daylight = Spectrum<Power, 107, Nodes<300, 830>>;

@@ -1,6 +1,6 @@
 //! How a surface scatters light: the BRDF, and the plainest one.
 
-use crate::radiometry::{Direction, Integrand};
+use crate::geometry::{Direction, Integrand};
 use core::f32::consts::FRAC_1_PI;
 
 /// A bidirectional reflectance distribution function: radiance towards `wo` for each irradiance from `wi`.
@@ -9,7 +9,7 @@ use core::f32::consts::FRAC_1_PI;
 /// [`scattering`](crate::matter::scattering).
 ///
 /// ```
-/// # use nanospectra::{Reflectance, matter::{Brdf, Lambert}, radiometry::Direction};
+/// # use nanospectra::{Reflectance, geometry::Direction, matter::{Brdf, Lambert}};
 /// let red = Reflectance::<3>::from_bins([0.1, 0.2, 0.7]);
 /// let f = Lambert(red).f(Direction::NORMAL, Direction::spherical(1.0, 0.0));
 /// assert!((f.values()[2] - 0.7 / 3.141_592_7).abs() < 1e-7); // the same towards everywhere

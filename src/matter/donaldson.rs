@@ -3,9 +3,8 @@
 use super::Dye;
 use super::fluorescence::{FluorescenceError, ROUNDING, wavelength};
 use crate::grid::{Bins, Grid, by_fields};
-use crate::observer::Observer;
-use crate::path::{Effects, Price, Priced};
-use crate::spectrum::{Factor, Power, Spectrum};
+use crate::price::{Effects, Price, Priced};
+use crate::spectrum::{Factor, Spectrum};
 use core::marker::PhantomData;
 
 /// Fluorescent matter of any kind: which share of the light of bin `i` leaves in bin `k`, for all `k >= i`
@@ -133,6 +132,27 @@ impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
         applied(&self.columns, light)
     }
 
+    /// What an eye of these weights makes of light that has yet to meet the matter: the transposed matrix times the
+    /// weights. Computes in f64, for `const` use.
+    pub(crate) const fn adjoint(&self, weights: &[f32; N]) -> [f32; N] {
+        let mut before = [0.0; N];
+        let (mut next, mut i) = (0, 0);
+        while i < N {
+            let (mut sum, mut k) = (0.0, i);
+            while k < N {
+                // (A pair is always one of the `P`; saying so keeps the panic out of an image.)
+                if next < P {
+                    sum += weights[k] as f64 * self.columns[next] as f64;
+                }
+                next += 1;
+                k += 1;
+            }
+            before[i] = sum as f32;
+            i += 1;
+        }
+        before
+    }
+
     /// For bin 0 what it becomes in bins 0, 1, .. N - 1; for bin 1 in 1, .. N - 1; and so on.
     #[inline]
     pub(crate) const fn columns(&self) -> &[f32] {
@@ -156,31 +176,4 @@ pub(crate) fn applied<const N: usize>(mut columns: &[f32], light: &[f32; N]) -> 
 
 impl<const N: usize, const P: usize, G> Priced for Donaldson<N, P, G> {
     const PRICE: Price = Price { effects: Effects::FLUORESCENCE, multiply_adds: P, bytes: 4 * P };
-}
-
-impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
-    /// This observer turned to fluorescent matter of any kind; as [`looking_at_dye`](Self::looking_at_dye).
-    #[must_use]
-    pub const fn looking_at_donaldson<const P: usize>(&self, matter: &Donaldson<N, P, G>) -> Self {
-        let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            let (mut next, mut i) = (0, 0);
-            while i < N {
-                let (mut sum, mut k) = (0.0, i);
-                while k < N {
-                    // (A pair is always one of the `P`; saying so keeps the panic out of an image.)
-                    if next < P {
-                        sum += self.0[c][k] as f64 * matter.columns[next] as f64;
-                    }
-                    next += 1;
-                    k += 1;
-                }
-                weights[c][i] = sum as f32;
-                i += 1;
-            }
-            c += 1;
-        }
-        Self::unchecked(weights)
-    }
 }

@@ -1,10 +1,10 @@
 //! Matter that absorbs light at one wavelength and emits it at a longer one.
 
 use crate::grid::{Bins, Grid, Layout, by_fields};
-use crate::observer::Observer;
-use crate::observer::rows;
-use crate::path::{Effects, Path, Price, Priced};
+use crate::observer::Path;
+use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Outside, Power, Spectrum};
+use crate::sum::rows;
 use core::array::from_ref;
 use core::marker::PhantomData;
 
@@ -210,6 +210,25 @@ impl<const N: usize, G> Dye<N, G> {
         (value(&self.reflects), value(&self.emits))
     }
 
+    /// What an eye of these weights makes of light that has yet to meet the dye: the transposed matrix times the
+    /// weights. Computes in f64, for `const` use.
+    pub(crate) const fn adjoint(&self, weights: &[f32; N]) -> [f32; N] {
+        // How the eye sees the dye's own light.
+        let (mut glow, mut k) = (0.0, 0);
+        while k < N {
+            glow += weights[k] as f64 * self.emits[k] as f64;
+            k += 1;
+        }
+        let mut before = [0.0; N];
+        k = 0;
+        while k < N {
+            let reflected = weights[k] as f64 * self.reflects[k] as f64;
+            before[k] = (reflected + glow * self.absorbs[k] as f64) as f32;
+            k += 1;
+        }
+        before
+    }
+
     /// For each bin, what light of 1 per nm adds to the glow.
     #[inline]
     pub(crate) const fn absorption(&self) -> &[f32; N] {
@@ -226,34 +245,6 @@ impl<const N: usize, G> Dye<N, G> {
 impl<const N: usize, G> Priced for Dye<N, G> {
     const PRICE: Price = Price { effects: Effects::FLUORESCENCE, multiply_adds: 3 * N, bytes: 12 * N };
     const AGAIN: usize = 2 * N;
-}
-
-impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
-    /// This observer turned to a dye: it then reads the light that falls there. Put it `under` a light after that,
-    /// never before: a light that is folded in cannot make anything glow.
-    ///
-    /// Computes in f64, for `const` use, as [`scaled`](Observer::scaled).
-    #[must_use]
-    pub const fn looking_at_dye(&self, dye: &Dye<N, G>) -> Self {
-        let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            // How the eye sees the dye's own light.
-            let (mut glow, mut k) = (0.0, 0);
-            while k < N {
-                glow += self.0[c][k] as f64 * dye.emits[k] as f64;
-                k += 1;
-            }
-            k = 0;
-            while k < N {
-                let reflected = self.0[c][k] as f64 * dye.reflects[k] as f64;
-                weights[c][k] = (reflected + glow * dye.absorbs[k] as f64) as f32;
-                k += 1;
-            }
-            c += 1;
-        }
-        Self::unchecked(weights)
-    }
 }
 
 /// The centre of bin `k`, in nm.

@@ -1,11 +1,11 @@
 //! Rough mirrors: facets of Trowbridge and Reitz's distribution (GGX).
 
+use crate::geometry::{Direction, Integrand, gauss_legendre};
 use crate::math::{cos_turns, sin_turns, sqrt};
 use crate::matter::brdf::{Brdf, visible};
 use crate::matter::fresnel::{at_least, at_most};
 use crate::matter::reflector::Reflector;
 use crate::matter::scattering::Quadrature;
-use crate::radiometry::{Direction, Integrand, gauss_legendre};
 use core::f32::consts::FRAC_1_PI;
 
 /// How the normals of a rough surface are distributed, after Trowbridge and Reitz (1975); also called GGX.
@@ -122,7 +122,7 @@ impl TrowbridgeReitz {
 ///
 /// ```
 /// # use nanospectra::matter::{Microfacet, TrowbridgeReitz, VisibleNormals, scattering::rho_hd};
-/// # use nanospectra::radiometry::Direction;
+/// # use nanospectra::geometry::Direction;
 /// let rough = Microfacet { facets: TrowbridgeReitz::new(1.0), boundary: 1.0 };
 /// let rho = rho_hd(&rough, Direction::NORMAL, &VisibleNormals::<16, 32>);
 /// assert!((rho - 0.306_853).abs() < 2e-3);

@@ -2,8 +2,6 @@
 //! that absorb and scatter; matter that fluoresces, glows on or polarises; and the reflectances that colour rendering
 //! is judged by.
 
-mod samples;
-
 mod brdf;
 mod fresnel;
 mod glass;
@@ -30,9 +28,7 @@ mod fluorescence;
 mod phosphorescence;
 mod polarisation;
 
-#[cfg(feature = "libm")]
-pub(crate) use samples::TCS_5NM;
-pub use samples::{CES, TCS};
+pub use crate::samples::{CES, TCS};
 
 pub use brdf::{Brdf, Lambert};
 pub use fresnel::{Amplitudes, Components, Conductor, Dielectric};

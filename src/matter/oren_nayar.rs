@@ -1,10 +1,10 @@
 //! Rough matt surfaces.
 
+use crate::geometry::{Direction, Integrand};
 use crate::grid::Grid;
 use crate::math::{Fast, Math};
 use crate::matter::brdf::{Brdf, visible};
 use crate::matter::fresnel::{at_least, at_most};
-use crate::radiometry::{Direction, Integrand};
 use crate::spectrum::Spectrum;
 use core::f32::consts::FRAC_1_PI;
 

@@ -5,7 +5,8 @@ use crate::grid::{Bins, by_fields};
 use crate::math::Portable;
 use crate::math::{Double, Math};
 use crate::matter::Dye;
-use crate::path::{Effects, Path, Price, Priced};
+use crate::observer::Path;
+use crate::price::{Effects, Price, Priced};
 use crate::spectrum::Power;
 
 /// A dye that emits what it absorbed later, by one exponential decay: afterglow paint, the red of a lamp's phosphor.

@@ -3,7 +3,7 @@
 use crate::grid::{Bins, Grid, Layout, by_fields};
 use crate::math::{cos_turns, sin_turns, sqrt_by_digits};
 use crate::matter::Conductor;
-use crate::path::{Effects, Price, Priced};
+use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Index, Spectrum};
 use core::marker::PhantomData;
 

@@ -1,8 +1,8 @@
 //! What a boundary reflects at an angle: the factor in front of mirrors and microfacets, as numbers or spectra.
 
+use crate::geometry::Integrand;
 use crate::grid::Grid;
 use crate::matter::fresnel::{Conductor, Dielectric};
-use crate::radiometry::Integrand;
 use crate::spectrum::{Factor, Index, Spectrum};
 
 /// The share of unpolarised light that a smooth boundary reflects at a cosine of incidence.

@@ -1,7 +1,7 @@
 //! The scattering equation, the reflectances that are integrals of it, and checks of a BRDF.
 
+use crate::geometry::{Direction, Hemisphere, Integrand, Total};
 use crate::matter::brdf::Brdf;
-use crate::radiometry::{Direction, Hemisphere, Integrand, Total};
 use core::f32::consts::FRAC_1_PI;
 use core::ops::Mul;
 
@@ -37,7 +37,7 @@ impl<B: Brdf, H: Hemisphere> Quadrature<B> for H {
 ///
 /// ```
 /// # use nanospectra::{Light, Reflectance, matter::{Lambert, scattering::scattered}};
-/// # use nanospectra::radiometry::{Direction, GaussLegendre};
+/// # use nanospectra::geometry::{Direction, GaussLegendre};
 /// // A sky that is bright above and dark at the horizon, on grey paper.
 /// let paper = Lambert(Reflectance::<16>::flat(0.6));
 /// let sky = |wi: Direction| Light::<16>::flat(wi.cos_theta());
@@ -96,7 +96,7 @@ pub fn reciprocity<B: Brdf>(brdf: &B, nodes: &impl Hemisphere) -> f32 {
 ///
 /// ```
 /// # use nanospectra::matter::{Lambert, OrenNayar, scattering::white_furnace};
-/// # use nanospectra::radiometry::GaussLegendre;
+/// # use nanospectra::geometry::GaussLegendre;
 /// let rule = GaussLegendre::<16, 32>;
 /// assert!((white_furnace(&OrenNayar::new(1.0, 1.0), &rule, &rule) - 1.0).abs() < 1e-2);
 /// assert!(white_furnace(&Lambert(1.1), &rule, &rule) > 1.0); // creates light

@@ -1,7 +1,7 @@
 //! Where light goes at a film: back, through, or into heat.
 
+use crate::geometry::gauss_legendre::nodes_and_weights;
 use crate::grid::Grid;
-use crate::radiometry::gauss_legendre::nodes_and_weights;
 use crate::spectrum::{Factor, Spectrum};
 
 static GAUSS: [(f32, f32); 3] = nodes_and_weights();

@@ -1,9 +1,9 @@
 //! Mirrors: smooth boundaries as surfaces.
 
+use crate::geometry::{Direction, Integrand};
 use crate::matter::brdf::Brdf;
 use crate::matter::reflector::Reflector;
 use crate::matter::scattering::Quadrature;
-use crate::radiometry::{Direction, Integrand};
 
 /// A smooth surface: a mirror of metal, the face of a glass.
 ///
@@ -11,7 +11,7 @@ use crate::radiometry::{Direction, Integrand};
 ///
 /// ```
 /// # use nanospectra::matter::{Dielectric, Smooth, Specular, scattering::scattered};
-/// # use nanospectra::radiometry::Direction;
+/// # use nanospectra::geometry::Direction;
 /// // A lamp of radiance 100 mirrored in a window at 60 degrees.
 /// let wo = Direction::spherical(1.047_197_6, 0.0);
 /// let lo = scattered(&Smooth(Dielectric::new(1.5)), wo, &Specular, |wi| if wi.x() < 0.0 { 100.0 } else { 0.0 });

@@ -2,8 +2,7 @@
 
 mod cie;
 mod fold;
-mod kernel;
-mod polarised;
+mod path;
 mod rows;
 
 pub use cie::{
@@ -11,7 +10,5 @@ pub use cie::{
     KM_SCOTOPIC, V_PHOTOPIC, V_SCOTOPIC,
 };
 pub use fold::Curve;
-pub use polarised::PolarisedObserver;
+pub use path::Path;
 pub use rows::{FineObserver, Observer};
-
-pub(crate) use kernel::{rows, sum};

@@ -1,9 +1,9 @@
 //! An observer: C rows of N weights, one for each number it reports.
 
 use crate::grid::{Bins, Grid, Layout, Nodes};
-use crate::observer::kernel;
-use crate::path::Path;
+use crate::observer::Path;
 use crate::spectrum::{Factor, Power, Quantity, Spectrum};
+use crate::sum;
 use core::marker::PhantomData;
 
 /// Anything that looks at a spectrum and reports `C` numbers: an eye (X, Y, Z), a set of cones,
@@ -162,14 +162,14 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
     #[must_use]
     #[inline]
     pub fn sees<P: Path<Q, N, G>>(&self, path: P) -> [f32; C] {
-        path.read(|bins| kernel::rows(&self.0, bins))
+        path.read(|bins| sum::rows(&self.0, bins))
     }
 
     /// What it reports of each spectrum of a batch; the same bits as [`sees`](Self::sees) one by one.
     ///
     /// The shorter of the two slices says how many.
     pub fn sees_each(&self, spectra: &[Spectrum<Q, N, G>], reports: &mut [[f32; C]]) {
-        kernel::each(&self.0, spectra, |spectrum| &spectrum.0, reports);
+        sum::each(&self.0, spectra, |spectrum| &spectrum.0, reports);
     }
 
     /// This observer behind a filter, a window, a diffuser: a transmittance in its path.

@@ -2,7 +2,8 @@
 
 use crate::grid::by_fields;
 use crate::matter::{Donaldson, Dye, Phosphor};
-use crate::path::{Effects, Filter, Intensity, Path, Plain, Price, Priced, Stokes, StokesPath, Surface};
+use crate::observer::Path;
+use crate::path::{Effects, Filter, Intensity, Plain, Price, Priced, Stokes, StokesPath, Surface};
 use crate::spectrum::{Power, Spectrum};
 use core::marker::PhantomData;
 

@@ -1,6 +1,7 @@
 //! What light can meet, and what leaves it.
 
-use crate::path::{Path, Plain, Times};
+use crate::observer::Path;
+use crate::path::{Plain, Times};
 use crate::spectrum::{Factor, Spectrum};
 
 /// What light can fall on: a surface that sends some of it back.

@@ -130,17 +130,18 @@
 //! noisy comes after the eye and is no part of a path: there linearity ends.
 
 mod fluorescent;
+mod fold;
 mod matter;
 mod plain;
 mod polarised;
-mod price;
 mod rgb;
 mod scene;
 
+pub use crate::price::{Effects, Price, Priced, price_of};
 pub use fluorescent::{Emitted, Excites, Glowing};
+pub use fold::PolarisedObserver;
 pub use matter::{Filter, Surface};
-pub use plain::{Path, Plain, Times};
+pub use plain::{Plain, Times};
 pub use polarised::{Dimmed, Intensity, Natural, Polarised, Stokes, StokesPath, Turned};
-pub use price::{Effects, Price, Priced, price_of};
 pub use rgb::RgbBands;
 pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarisation, Part, Scene, WithinBudget};

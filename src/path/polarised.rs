@@ -1,7 +1,8 @@
 //! Light as Stokes vectors.
 
 use crate::matter::{Mirror, Mueller, Polariser, Retarder};
-use crate::path::{Effects, Filter, Path, Plain, Price, Priced, Surface, Times};
+use crate::observer::Path;
+use crate::path::{Effects, Filter, Plain, Price, Priced, Surface, Times};
 use crate::spectrum::{Factor, Power, Spectrum};
 
 /// A path of Stokes vectors, in `N` bins of the grid `G`.
@@ -9,7 +10,7 @@ use crate::spectrum::{Factor, Power, Spectrum};
     message = "`{Self}` is no path of polarised light in {N} bins of `{G}`",
     note = "all stages lie on one grid"
 )]
-pub trait StokesPath<const N: usize, G>: Priced {
+pub trait StokesPath<const N: usize, G> {
     /// The multiplications that one element after it takes.
     const TURNED: usize = Mueller::<N, G>::PRICE.multiply_adds;
 
@@ -223,7 +224,7 @@ pub struct Turned<L, M> {
     element: M,
 }
 
-impl<L: StokesPath<N, G>, const N: usize, G> Priced for Turned<L, &Mueller<N, G>> {
+impl<L: StokesPath<N, G> + Priced, const N: usize, G> Priced for Turned<L, &Mueller<N, G>> {
     const PRICE: Price = L::PRICE.plus(Price { multiply_adds: L::TURNED, ..Mueller::<N, G>::PRICE });
     const AGAIN: usize = L::AGAIN + L::TURNED;
 }

@@ -1,6 +1,6 @@
 //! Radiance at a surface: what arrives and what leaves, as limits from the one side and from the other.
 
-use crate::radiometry::vec3::{dot, scaled, to_unity};
+use crate::geometry::vec3::{dot, scaled, to_unity};
 use crate::radiometry::{Carried, Radiance};
 
 /// The radiance at a point of a surface, a function of the direction in which the light travels. It is

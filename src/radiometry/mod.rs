@@ -33,24 +33,13 @@ mod quantity;
 mod relations;
 mod source;
 
-mod direction;
-mod frame;
-pub(crate) mod gauss_legendre;
-mod hemisphere;
-
 pub mod form_factor;
 mod off_axis_disc;
 pub mod solid_angle;
-mod vec3;
 
 pub use alpha_opic::AlphaOpic;
 pub use luminous::{illuminance, luminous_efficacy, scotopic_illuminance};
 pub use photon::ppfd;
-
-pub use direction::Direction;
-pub use frame::Frame;
-pub(crate) use hemisphere::Total;
-pub use hemisphere::{Cosine, GaussLegendre, Hemisphere, Integrand, Node, Uniform};
 
 pub use boundary::SurfaceRadiance;
 pub use carried::{Carried, Luminous, Radiant, Scotopic};

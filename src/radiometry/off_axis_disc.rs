@@ -1,7 +1,7 @@
 //! The solid angle of a disc from anywhere: a short sum, or near the rim an elliptic integral.
 
+use crate::geometry::vec3::to_unity;
 use crate::math::sqrt;
-use crate::radiometry::vec3::to_unity;
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
 /// Cosines of the odd multiples of 1/64 turn, up to a quarter.

@@ -4,9 +4,8 @@
 //! light is behind the surface and counts nothing. What a quotient by zero would make infinite is the
 //! largest f32 instead, so that no light stays no light.
 
-use crate::radiometry::{
-    Carried, Direction, Energy, Exitance, Flux, Hemisphere, Intensity, Irradiance, Radiance,
-};
+use crate::geometry::{Direction, Hemisphere};
+use crate::radiometry::{Carried, Energy, Exitance, Flux, Intensity, Irradiance, Radiance};
 use core::f32::consts::{FRAC_1_PI, PI};
 
 /// A cosine where it is positive; 0 behind the surface; NaN stays.
@@ -110,7 +109,8 @@ impl<V: Carried> Irradiance<V> {
     /// cosine, by a rule of fixed nodes.
     ///
     /// ```
-    /// # use nanospectra::radiometry::{GaussLegendre, Lux, Nit};
+    /// # use nanospectra::geometry::GaussLegendre;
+    /// # use nanospectra::radiometry::{Lux, Nit};
     /// // An even sky of luminance L: pi L, and not 2 pi L.
     /// let lux = Lux::gathered(&GaussLegendre::<8, 4>, |_wi| Nit::from(5000.0));
     /// assert!((lux.value().0 / (5000.0 * core::f32::consts::PI) - 1.0).abs() < 3e-7);

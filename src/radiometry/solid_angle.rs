@@ -11,10 +11,10 @@
 //! assert!((solid_angle::sphere(6.957e8, 1.496e11) / 6.794_117e-5 - 1.0).abs() < 1e-6);
 //! ```
 
+use crate::geometry::vec3::{cross, difference, dot, length, scaled, to_unity};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Math, sqrt};
-use crate::radiometry::vec3::{cross, difference, dot, length, scaled, to_unity};
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
 pub use crate::radiometry::off_axis_disc::disc_off_axis;

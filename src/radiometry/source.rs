@@ -1,11 +1,11 @@
 //! Sources of simple shapes, and the irradiance by them at a point with a normal.
 
+use crate::geometry::vec3::{difference, dot, scaled, sum, to_unity, unit};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::radiometry::form_factor::{to_disc, to_polygon_with, to_sphere_with};
 use crate::radiometry::relations::{finite, in_front, ratio};
-use crate::radiometry::vec3::{difference, dot, scaled, sum, to_unity, unit};
 use crate::radiometry::{Carried, Intensity, Irradiance, Radiance};
 
 /// A source too small to have a shape, equally bright to all sides.

@@ -4,8 +4,9 @@ use super::qr::{Triangle, damped_inverse};
 use super::vector::{largest, norm};
 use super::{BasicCounts, FitError};
 use crate::grid::Grid;
-use crate::observer::{Observer, sum};
+use crate::observer::Observer;
 use crate::spectrum::{Light, Power, Spectrum};
+use crate::sum::sum;
 
 /// The spectrum without negative bins that explains the counts best: the least of |what the sensor would count
 /// - the counts|^2 + alpha * (mean signal of the channels)^2 * |spectrum|^2.

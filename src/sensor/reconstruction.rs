@@ -6,8 +6,9 @@ use super::qr::{condition, damped_inverse};
 use super::vector::{dot, largest, less, norm, sqrt};
 use super::{BasicCounts, Calibration, FitError};
 use crate::grid::Grid;
-use crate::observer::{Observer, rows};
+use crate::observer::Observer;
 use crate::spectrum::{Light, Power, Spectrum};
+use crate::sum::rows;
 use core::marker::PhantomData;
 
 /// The damping to begin with: the variance of the noise over the variance that the channels' signals would have if

@@ -3,6 +3,7 @@
 mod arithmetic;
 #[cfg(feature = "heapless")]
 mod collect;
+mod integrand;
 mod interpolate;
 mod lines;
 mod quantity;

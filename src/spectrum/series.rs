@@ -178,7 +178,7 @@ impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
     /// 4 units of 2^-24, relative, for positive values.
     #[must_use]
     pub fn power(&self) -> f32 {
-        crate::observer::sum(&self.0) * Self::WIDTH_NM
+        crate::sum::sum(&self.0) * Self::WIDTH_NM
     }
 }
 
@@ -189,7 +189,7 @@ impl<const N: usize, G: Grid> Spectrum<PerBin, N, G> {
     /// 4 units of 2^-24, relative, for positive values.
     #[must_use]
     pub fn total(&self) -> f32 {
-        crate::observer::sum(&self.0)
+        crate::sum::sum(&self.0)
     }
 
     /// For each nanometre: what a bin holds over its width.

@@ -3,12 +3,12 @@
 use model::allowed::{Singles, check};
 use model::noise::Noise;
 use model::surface;
+use nanospectra::geometry::{Cosine, Direction, GaussLegendre, Hemisphere, Uniform};
 use nanospectra::matter::scattering::{reciprocity, rho_dh, rho_hd, rho_hh, scattered, white_furnace};
 use nanospectra::matter::{
     Brdf, Conductor, Dielectric, Glass, Lambert, Microfacet, N_BK7, OrenNayar, Reflector, Smooth, Specular,
     TrowbridgeReitz, VisibleNormals,
 };
-use nanospectra::radiometry::{Cosine, Direction, GaussLegendre, Hemisphere, Uniform};
 use nanospectra::{Index, Light, Nodes, Reflectance, Spectrum};
 
 /// In the plane of x.

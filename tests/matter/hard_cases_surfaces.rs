@@ -6,12 +6,12 @@ use model::check::{Check, EPS};
 use model::csv::golden;
 use model::fresnel::{absorbed, amplitudes, reflectances, unpolarised};
 use model::surface;
+use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};
 use nanospectra::matter::scattering::rho_hd;
 use nanospectra::matter::{
     Brdf, Components, Conductor, Dielectric, Lambert, Microfacet, OrenNayar, Reflector, TrowbridgeReitz,
     VisibleNormals,
 };
-use nanospectra::radiometry::{Direction, GaussLegendre, Hemisphere};
 
 /// Both components against the model's, in units of rounding.
 fn compare(check: &mut Check, place: &str, got: Components, (s, p): (f64, f64)) {

@@ -4,6 +4,7 @@ mod claims;
 mod damaged_tables;
 mod doc_claims;
 mod image;
+mod modules;
 mod order;
 mod path_cost;
 mod programs;

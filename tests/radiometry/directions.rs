@@ -2,8 +2,8 @@
 #![cfg(feature = "libm")]
 
 use model::allowed::{Singles, check};
+use nanospectra::geometry::{Cosine, Direction, GaussLegendre, Hemisphere, Node, Uniform};
 use nanospectra::matter::{Cauchy, FUSED_SILICA, Glass, N_BK7, N_SF11, Sellmeier};
-use nanospectra::radiometry::{Cosine, Direction, GaussLegendre, Hemisphere, Node, Uniform};
 use nanospectra::{Bins, Light, Nodes};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 

@@ -2,8 +2,9 @@
 
 use model::allowed::check;
 use model::noise::Noise;
+use nanospectra::geometry::{Direction, Frame};
 use nanospectra::matter::{Brdf, Conductor, Microfacet, TrowbridgeReitz};
-use nanospectra::radiometry::{Direction, Frame, Intensity, PointSource, Radiant, SurfaceElement};
+use nanospectra::radiometry::{Intensity, PointSource, Radiant, SurfaceElement};
 
 /// Normals of all kinds: random, at the poles and beside them, on the seam, huge and tiny.
 fn normals() -> Vec<[f32; 3]> {

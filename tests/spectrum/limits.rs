@@ -1,14 +1,13 @@
 //! What lies at the ends of ranges and beyond them: limits that are reached, and inputs that are held or refused.
 #![cfg(feature = "libm")]
 
+use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere, Uniform};
 use nanospectra::matter::scattering::rho_hd;
 use nanospectra::matter::{
     Brdf, Burley, Cauchy, Dipole, Glass, OrenNayar, external_reflectance, internal_reflectance,
 };
 use nanospectra::radiometry::form_factor::perpendicular_rectangles;
-use nanospectra::radiometry::{
-    Candela, Direction, GaussLegendre, Hemisphere, Irradiance, Lux, Nit, PointSource, Radiance, Uniform,
-};
+use nanospectra::radiometry::{Candela, Irradiance, Lux, Nit, PointSource, Radiance};
 use nanospectra::{Light, Reflectance};
 use std::f32::consts::PI;
 

@@ -1,7 +1,8 @@
 //! A scene folded into the eye that looks at it.
 
 use crate::matter::Dye;
-use crate::observer::{Observer, PolarisedObserver};
+use crate::observer::Observer;
+use crate::path::PolarisedObserver;
 use crate::path::scene::{Bispectral, Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 

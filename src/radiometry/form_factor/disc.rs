@@ -1,7 +1,7 @@
 //! Discs: to each other on one axis, and from a point that faces the disc's plane.
 
+use crate::geometry::vec3::to_unity;
 use crate::math::sqrt;
-use crate::radiometry::vec3::to_unity;
 
 /// From a disc of `radius_1_m` to one of `radius_2_m`, both on one axis and facing each other.
 ///

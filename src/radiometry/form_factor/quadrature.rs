@@ -1,6 +1,6 @@
 //! Fixed nodes for what has no closed form that keeps its digits.
 
-use crate::radiometry::gauss_legendre::nodes_and_weights;
+use crate::geometry::gauss_legendre::nodes_and_weights;
 
 static GAUSS: [(f32, f32); 8] = nodes_and_weights();
 

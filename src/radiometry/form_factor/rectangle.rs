@@ -1,12 +1,12 @@
 //! Rectangles to each other: opposite ones, and ones that meet at an edge.
 
 use super::quadrature::unit_interval;
+use crate::geometry::vec3::to_unity;
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::sqrt;
 use crate::radiometry::relations::ratio;
-use crate::radiometry::vec3::to_unity;
 use core::f32::consts::FRAC_1_PI;
 
 /// From one rectangle to an equal one right opposite.

@@ -1,10 +1,10 @@
 //! A sphere from a point, at any tilt and also where it sets below the point's horizon.
 
+use crate::geometry::vec3::to_unity;
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::radiometry::relations::{in_front, ratio};
-use crate::radiometry::vec3::to_unity;
 use core::f32::consts::FRAC_1_PI;
 
 /// From a point to a sphere whose centre is at `distance_m`, in a direction of cosine `cos_theta` from the point's

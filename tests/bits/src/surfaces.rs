@@ -1,12 +1,13 @@
 //! Geometry, surfaces, films and volumes.
 
 use super::hash::{Hash, Random};
+use nanospectra::geometry::{Cosine, Direction, Frame};
 use nanospectra::matter::{
     Absorber, Brdf, Burley, Conductor, Dielectric, Dipole, Glass, Layer, Medium, Microfacet, N_BK7,
     OrenNayar, SearchLight, Shares, Slab, Stack, ThinFilm, TrowbridgeReitz, VisibleNormals,
     rayleigh_cross_section, scattering,
 };
-use nanospectra::radiometry::{Cosine, Direction, Frame, form_factor, solid_angle};
+use nanospectra::radiometry::{form_factor, solid_angle};
 use nanospectra::{Reflectance, Spectrum};
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {

@@ -15,10 +15,8 @@ use nanospectra::matter::{
 };
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::path::{Part, Scene};
-use nanospectra::radiometry::{
-    Cosine, Direction, DiscSource, Frame, GaussLegendre, PointSource, Radiance, RectangleSource,
-    SphereSource, SurfaceElement, SurfaceRadiance, Uniform, form_factor, solid_angle,
-};
+use nanospectra::geometry::{Cosine, Direction, Frame, GaussLegendre, Uniform};
+use nanospectra::radiometry::{DiscSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance, form_factor, solid_angle};
 use nanospectra::sensor::{Bend, DeadTime};
 use nanospectra::{Light, Power, Reflectance, Spectrum};
 use nanospectra_firmware::vest::VEST;

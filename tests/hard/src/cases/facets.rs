@@ -2,12 +2,12 @@
 
 use super::Cases;
 use core::f32::consts::{PI, TAU};
+use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};
 use nanospectra::math::{cos_turns, sqrt};
 use nanospectra::matter::scattering::rho_hd;
 use nanospectra::matter::{
     Brdf, Dielectric, Lambert, Microfacet, OrenNayar, Reflector, TrowbridgeReitz, VisibleNormals,
 };
-use nanospectra::radiometry::{Direction, GaussLegendre, Hemisphere};
 
 pub fn rows(cases: &mut impl Cases) {
     cases.row("21", &PEAKS, naive_density, density);

@@ -2,7 +2,7 @@
 
 use super::judge::{Judge, Off, absolute, relative, share, zero};
 use model::{fresnel, surface};
-use nanospectra::radiometry::Direction;
+use nanospectra::geometry::Direction;
 use std::f64::consts::PI;
 
 pub const JUDGES: &[(&str, Judge)] = &[

@@ -1,7 +1,7 @@
 //! Where a surface lies in the world: from positions and normals to the directions that a BRDF takes, and back.
 
-use crate::radiometry::Direction;
-use crate::radiometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
+use crate::geometry::Direction;
+use crate::geometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 
 /// The frame of a surface in the world: three axes at right angles, z along the normal, x and y in the surface.
 ///
@@ -9,7 +9,8 @@ use crate::radiometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 ///
 /// ```
 /// use nanospectra::matter::{Brdf, Conductor, Microfacet, TrowbridgeReitz};
-/// use nanospectra::radiometry::{Direction, Frame, Intensity, PointSource, Radiance, Radiant};
+/// use nanospectra::geometry::{Direction, Frame};
+/// use nanospectra::radiometry::{Intensity, PointSource, Radiance, Radiant};
 ///
 /// // A lamp of 2 W/sr, a plate of rough copper (in green) that leans, and a camera.
 /// let lamp = PointSource { position_m: [0.0, 1.0, 2.0], intensity: Intensity::new(Radiant(2.0)) };
@@ -49,7 +50,7 @@ impl Frame {
     /// T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
     ///
     /// ```
-    /// # use nanospectra::radiometry::{Direction, Frame};
+    /// # use nanospectra::geometry::{Direction, Frame};
     /// let floor = Frame::of_normal([0.0, 0.0, 9.0]);
     /// assert_eq!(floor.and_then(|floor| floor.to_local([0.0, 0.0, 0.2])), Some(Direction::NORMAL));
     /// assert_eq!(Frame::of_normal([0.0; 3]), None);
@@ -70,7 +71,7 @@ impl Frame {
     /// 1e-5 rad).
     ///
     /// ```
-    /// # use nanospectra::radiometry::Frame;
+    /// # use nanospectra::geometry::Frame;
     /// let Some(wall) = Frame::with_tangent([0.0, -1.0, 0.0], [1.0, 0.0, 0.0]) else { return };
     /// assert_eq!(wall.axes(), [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]); // y is up
     /// ```

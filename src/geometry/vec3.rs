@@ -2,44 +2,44 @@
 
 use crate::math::sqrt;
 
-pub(super) fn sum(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+pub(crate) fn sum(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     [ax + bx, ay + by, az + bz]
 }
 
-pub(super) fn difference(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+pub(crate) fn difference(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     [ax - bx, ay - by, az - bz]
 }
 
-pub(super) fn scaled(a: [f32; 3], k: f32) -> [f32; 3] {
+pub(crate) fn scaled(a: [f32; 3], k: f32) -> [f32; 3] {
     a.map(|x| x * k)
 }
 
-pub(super) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+pub(crate) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     ax * bx + ay * by + az * bz
 }
 
-pub(super) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+pub(crate) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
-pub(super) fn length(a: [f32; 3]) -> f32 {
+pub(crate) fn length(a: [f32; 3]) -> f32 {
     sqrt(dot(a, a))
 }
 
 /// The power of two that brings the largest of some lengths to 1 or a little above: products of three or four
 /// of them then neither overflow nor vanish, and no digit is lost. (Lengths near f32's ends go to
 /// between 2^-22 and 4 only, which is as good.)
-pub(super) fn to_unity(lengths: impl IntoIterator<Item = f32>) -> f32 {
+pub(crate) fn to_unity(lengths: impl IntoIterator<Item = f32>) -> f32 {
     let exponent = lengths.into_iter().fold(0, |largest: u32, x| largest.max(x.to_bits() << 1 >> 24));
     f32::from_bits(254_u32.saturating_sub(exponent).max(1) << 23)
 }
 
 /// The vector of length 1 in a direction; the zero vector has none and stays zero.
-pub(super) fn unit(a: [f32; 3]) -> [f32; 3] {
+pub(crate) fn unit(a: [f32; 3]) -> [f32; 3] {
     let a = scaled(a, to_unity(a));
     let length = length(a);
     if length == 0.0 { a } else { a.map(|x| x / length) }

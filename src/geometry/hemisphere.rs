@@ -1,80 +1,9 @@
 //! Integrals over the hemisphere above a surface, by fixed nodes.
 
-use crate::grid::Grid;
+use crate::geometry::gauss_legendre::nodes_and_weights;
+use crate::geometry::{Direction, Integrand, Total};
 use crate::math::sqrt;
-use crate::radiometry::Direction;
-use crate::radiometry::gauss_legendre::nodes_and_weights;
-use crate::spectrum::Spectrum;
 use core::f32::consts::{PI, TAU};
-use core::ops::{Add, Mul};
-
-/// What can be integrated: a number, or a spectrum, for which every wavelength is integrated at once.
-pub trait Integrand: Copy + Add<Output = Self> + Mul<f32, Output = Self> {
-    /// Nothing.
-    const ZERO: Self;
-
-    /// Adds `value`; `lost` keeps what rounding took from the sum, for the next addition (Kahan's summation).
-    fn accumulate(&mut self, lost: &mut Self, value: &Self);
-
-    /// The largest number of it; NaN if there is one.
-    fn peak(&self) -> f32;
-
-    /// The largest difference to another, without its sign; NaN if there is one.
-    fn distance(&self, other: &Self) -> f32;
-}
-
-impl Integrand for f32 {
-    const ZERO: Self = 0.0;
-
-    fn accumulate(&mut self, lost: &mut Self, value: &Self) {
-        let value = value - *lost;
-        let sum = *self + value;
-        *lost = (sum - *self) - value;
-        *self = sum;
-    }
-
-    fn peak(&self) -> f32 {
-        *self
-    }
-
-    fn distance(&self, other: &Self) -> f32 {
-        (self - other).abs()
-    }
-}
-
-impl<Q, const N: usize, G: Grid> Integrand for Spectrum<Q, N, G> {
-    const ZERO: Self = Spectrum::from_bins([0.0; N]);
-
-    fn accumulate(&mut self, lost: &mut Self, value: &Self) {
-        let sums = self.values_mut().iter_mut().zip(lost.values_mut());
-        sums.zip(value.values()).for_each(|((sum, lost), value)| sum.accumulate(lost, value));
-    }
-
-    fn peak(&self) -> f32 {
-        Spectrum::peak(self)
-    }
-
-    fn distance(&self, other: &Self) -> f32 {
-        let differences = self.values().iter().zip(other.values()).map(|(a, b)| (a - b).abs());
-        differences.fold(0.0, |most, d| if d <= most || most.is_nan() { most } else { d })
-    }
-}
-
-/// A sum of thousands of equal terms: plain addition would be off by as many roundings, all in one direction.
-pub(crate) struct Total<V> {
-    pub(crate) sum: V,
-    lost: V,
-}
-
-impl<V: Integrand> Total<V> {
-    pub(crate) const fn new() -> Self {
-        Total { sum: V::ZERO, lost: V::ZERO }
-    }
-
-    pub(crate) fn add(&mut self, value: V) {
-        self.sum.accumulate(&mut self.lost, &value);
-    }
-}
 
 /// A direction that stands for a piece of the hemisphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +21,7 @@ pub struct Node {
 /// `MU` rings, each of `PHI` pieces at equal azimuths. No rule has a node on the horizon or the zenith.
 ///
 /// ```
-/// # use nanospectra::radiometry::{Direction, GaussLegendre, Hemisphere};
+/// # use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};
 /// // The irradiance under a sky that is three times as bright at the zenith as at the horizon (CIE overcast):
 /// // 7 pi / 9 of the zenith's radiance.
 /// let sky = |w: Direction| (1.0 + 2.0 * w.cos_theta()) / 3.0;

@@ -9,7 +9,7 @@ use core::ops::Neg;
 /// where it goes.
 ///
 /// ```
-/// # use nanospectra::radiometry::Direction;
+/// # use nanospectra::geometry::Direction;
 /// let w = Direction::spherical(0.5, 2.0); // zenith angle theta, azimuth phi
 /// assert!((w.cos_theta() - 0.877_583).abs() < 1e-6); // the cosine of theta, not of phi
 /// assert!((w.y() / w.x() + 2.185_04).abs() < 1e-5); // the tangent of phi
@@ -172,7 +172,7 @@ impl Direction {
     /// direction costs.
     ///
     /// ```
-    /// # use nanospectra::radiometry::Direction;
+    /// # use nanospectra::geometry::Direction;
     /// let wi = Direction::spherical(0.523_598_8, 0.0); // 30 degrees
     /// let wt = wi.refracted(1.5);
     /// assert!(wt.is_some_and(|wt| (wt.x() + 1.0 / 3.0).abs() < 1e-6 && wt.cos_theta() < 0.0)); // 0.5 / 1.5

@@ -1,0 +1,34 @@
+//! Fluorescent matter folded into the eye that looks at it.
+
+use crate::matter::{Donaldson, Dye};
+use crate::observer::Observer;
+use crate::spectrum::Power;
+
+impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
+    /// This observer turned to a dye: it then reads the light that falls there. Put it `under` a light after that,
+    /// never before: a light that is folded in cannot make anything glow.
+    ///
+    /// Computes in f64, for `const` use, as [`scaled`](Observer::scaled).
+    #[must_use]
+    pub const fn looking_at_dye(&self, dye: &Dye<N, G>) -> Self {
+        let mut weights = self.0;
+        let mut c = 0;
+        while c < C {
+            weights[c] = dye.adjoint(&self.0[c]);
+            c += 1;
+        }
+        Self::unchecked(weights)
+    }
+
+    /// This observer turned to fluorescent matter of any kind; as [`looking_at_dye`](Self::looking_at_dye).
+    #[must_use]
+    pub const fn looking_at_donaldson<const P: usize>(&self, matter: &Donaldson<N, P, G>) -> Self {
+        let mut weights = self.0;
+        let mut c = 0;
+        while c < C {
+            weights[c] = matter.adjoint(&self.0[c]);
+            c += 1;
+        }
+        Self::unchecked(weights)
+    }
+}

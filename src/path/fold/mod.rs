@@ -1,0 +1,6 @@
+//! What light meets, folded into the eye: from the eye backwards along the path.
+
+mod fluorescent;
+mod polarised;
+
+pub use polarised::PolarisedObserver;

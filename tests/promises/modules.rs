@@ -1,0 +1,108 @@
+//! Modules of the library depend downwards only, in the order of the story that `src/lib.rs` tells.
+
+use crate::claims::sections::{Texts, texts};
+use std::collections::BTreeSet;
+
+/// From the ground up: a module may use those before it.
+const ORDER: [&str; 16] = [
+    "math",
+    "grid",
+    "sum",
+    "price",
+    "tristimulus",
+    "geometry",
+    "spectrum",
+    "samples",
+    "observer",
+    "light",
+    "color",
+    "matter",
+    "path",
+    "upsample",
+    "radiometry",
+    "sensor",
+];
+
+/// The top-level module that a file of the library belongs to.
+fn module(file: &str) -> Option<&str> {
+    file.strip_prefix("src/")?.split(['/', '.']).next()
+}
+
+fn height(module: &str) -> usize {
+    ORDER.iter().position(|name| *name == module).unwrap_or_else(|| panic!("{module} is no module of ORDER"))
+}
+
+/// The first names of all paths from the crate's root in code: not in comments, not in unit tests.
+fn used(text: &str) -> BTreeSet<String> {
+    let code: String = text
+        .lines()
+        .take_while(|line| line.trim() != "#[cfg(test)]")
+        .map(|line| line.split("//").next().unwrap_or_default().to_owned() + "\n")
+        .collect();
+    let mut names = BTreeSet::new();
+    for rest in code.split("crate::").skip(1) {
+        let group = rest.strip_prefix('{').and_then(|group| group.split_once('}')).map(|(group, _)| group);
+        for path in group.unwrap_or(rest).split(if group.is_some() { ',' } else { '\0' }) {
+            let name: String = path.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            if !name.is_empty() {
+                names.insert(name);
+            }
+        }
+    }
+    names
+}
+
+/// The arrows that point upwards: from which file to which module.
+fn arrows_back(texts: &Texts) -> Vec<String> {
+    let mut faults = Vec::new();
+    for (file, text) in texts {
+        let Some(module) = module(file).filter(|module| *module != "lib") else { continue };
+        for name in used(text) {
+            if height(&name) > height(module) {
+                faults.push(format!("{file} uses crate::{name}, which is above {module}"));
+            }
+        }
+    }
+    faults
+}
+
+#[test]
+fn no_module_uses_one_above_it() {
+    let faults = arrows_back(&texts());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn every_module_has_its_place() {
+    let texts = texts();
+    let found: BTreeSet<&str> = texts.keys().filter_map(|file| module(file)).collect();
+    assert_eq!(found, ORDER.into_iter().chain(["lib"]).collect());
+}
+
+/// A test that cannot fail proves nothing.
+#[test]
+fn an_arrow_back_is_found() {
+    for code in [
+        "use crate::observer::sum;",
+        "let x = crate::path::price();",
+        "use crate::{grid::Grid, sensor::Meter};",
+        "use crate::{\n    grid::Grid,\n    color::Xyz,\n};",
+    ] {
+        assert_eq!(
+            arrows_back(&Texts::from([("src/spectrum/series.rs".into(), code.into())])).len(),
+            1,
+            "{code}"
+        );
+    }
+    for code in [
+        "/// [`x`](crate::sensor::Meter)",
+        "use crate::grid::Grid; // crate::path",
+        "#[cfg(test)]\ncrate::sensor",
+    ] {
+        assert_eq!(
+            arrows_back(&Texts::from([("src/spectrum/series.rs".into(), code.into())])).len(),
+            0,
+            "{code}"
+        );
+    }
+}
