@@ -20,7 +20,7 @@ same_bits() {
 firmware "host" run --quiet --release --bin bits >"$out/bits.host" || exit 1
 if [[ $bless == yes ]]; then
     {
-        echo "# FNV-1a over the bits of each group in examples/firmware/src/bits: the same on every target."
+        echo "# FNV-1a over the bits of each group in tests/bits/src: the same on every target."
         cat "$out/bits.host"
     } >"$golden_bits"
     echo "recorded in ${golden_bits#"$root"/}"

@@ -11,8 +11,5 @@ fn this_machine_computes_the_recorded_bits() {
     nanospectra_bits::run_large(&mut line);
     let recorded = include_str!("../../data/bits.txt").lines().filter(|line| !line.starts_with('#'));
     let recorded: String = recorded.flat_map(|line| [line, "\n"]).collect();
-    assert_eq!(
-        computed, recorded,
-        "if the results were meant to change, `tests/devices.sh --bless` records these"
-    );
+    assert_eq!(computed, recorded, "if the results were meant to change, `cargo xtask bless` records these");
 }

@@ -60,7 +60,11 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
     lane.step("documentation", |shell| {
         let shell = shell.again().with("RUSTDOCFLAGS", "-D warnings");
         let libraries = packages.iter().filter(|package| package.has_library);
-        each(libraries, &shell, |name| format!("cargo doc --no-deps --all-features -p {name}"))
+        // Of the others a page is for those who work on them.
+        each(libraries, &shell, |name| {
+            let private = if name == "nanospectra" { "" } else { " --document-private-items" };
+            format!("cargo doc --no-deps --all-features -p {name}{private}")
+        })
     });
 }
 

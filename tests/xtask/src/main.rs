@@ -28,6 +28,7 @@ enum Task {
     ///
     /// A station is a file tests/STATION/main.rs, such as color, matter or sensor.
     Test {
+        /// The stations; all of them if none is named
         station: Vec<String>,
         /// What the test harness is given, such as a part of a test's name
         #[arg(last = true)]

@@ -68,15 +68,25 @@ impl Shell {
         }
     }
 
+    /// Prints a command as a user can type it.
+    fn announce(&self, line: &str) {
+        let shared = Self::new();
+        let own =
+            self.variables.iter().filter(|(name, _)| shared.variables.iter().all(|(other, _)| other != name));
+        let variables: String =
+            own.map(|(name, value)| format!("{name}={:?} ", value.to_string_lossy())).collect();
+        self.say(&format!("$ {variables}{line}"));
+    }
+
     /// Runs a program with arguments, separated by spaces.
     pub fn run(&self, line: &str) -> Outcome {
-        self.say(&format!("$ {line}"));
+        self.announce(line);
         self.finish(self.command(line.split_whitespace()), line)
     }
 
     /// Runs a line of bash.
     pub fn bash(&self, line: &str) -> Outcome {
-        self.say(&format!("$ {line}"));
+        self.announce(line);
         self.finish(self.command(["bash", "-c", line]), line)
     }
 

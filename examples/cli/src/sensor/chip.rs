@@ -75,7 +75,10 @@ impl Chip {
 
     /// Whether counts are whole numbers.
     pub fn counts_are_whole(self) -> bool {
-        !matches!(self, Chip::As7262 | Chip::As7265x | Chip::Custom)
+        match self {
+            Chip::As7341 | Chip::As7343 | Chip::Tcs3472 | Chip::Opt4048 => true,
+            Chip::As7262 | Chip::As7265x | Chip::Custom => false,
+        }
     }
 
     /// From the values of [`settings`](Self::settings), or what is wrong and which of them.
@@ -143,9 +146,9 @@ impl Chip {
     /// The most that a channel can report.
     pub fn largest_count(self) -> f64 {
         match self {
+            Chip::As7341 | Chip::As7343 | Chip::As7262 | Chip::As7265x | Chip::Tcs3472 => 65_535.0,
             Chip::Opt4048 => f64::from(Exposure::opt4048().full_scale()),
             Chip::Custom => f64::MAX,
-            _ => 65_535.0,
         }
     }
 
