@@ -49,19 +49,15 @@ pub fn exact(row: &[f32], s: &[f32]) -> f64 {
 /// of them. Not fused: the crate never fuses, because not every target can.
 #[inline(never)]
 pub fn multiply_and_add(count: usize) {
-    if cfg!(target_feature = "avx") {
-        let (m, c) = (black_box(f32x8::splat(0.9999)), black_box(f32x8::splat(1e-4)));
-        let mut chains = [f32x8::ONE; 12];
-        for _ in 0..count.div_ceil(12 * 8) {
-            chains = chains.map(|x| x * m + c);
-        }
-        black_box(chains);
-    } else {
-        let (m, c) = (black_box(f32x4::splat(0.9999)), black_box(f32x4::splat(1e-4)));
-        let mut chains = [f32x4::ONE; 12];
-        for _ in 0..count.div_ceil(12 * 4) {
-            chains = chains.map(|x| x * m + c);
-        }
-        black_box(chains);
+    macro_rules! chains {
+        ($vector:ident of $lanes:literal) => {{
+            let (m, c) = (black_box($vector::splat(0.9999)), black_box($vector::splat(1e-4)));
+            let mut chains = [$vector::ONE; 12];
+            for _ in 0..count.div_ceil(12 * $lanes) {
+                chains = chains.map(|x| x * m + c);
+            }
+            black_box(chains);
+        }};
     }
+    if cfg!(target_feature = "avx") { chains!(f32x8 of 8) } else { chains!(f32x4 of 4) }
 }

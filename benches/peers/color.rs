@@ -1,6 +1,6 @@
 //! What a colour means: `colorimetry` for CCT and colour rendering, `palette` in f32 for Lab, CIEDE2000 and sRGB.
 
-use crate::race::Races;
+use crate::race::{Races, each};
 use colorimetry::illuminant::Illuminant;
 use colorimetry::observer::Observer as StdObserver;
 use colorimetry::spectrum::Spectrum as StdSpectrum;
@@ -24,12 +24,6 @@ pub fn all(races: &mut Races) {
     lab_of_xyz(races);
     difference(races);
     srgb(races);
-}
-
-/// One after the other, round and round.
-fn each<'a, T, R>(inputs: &'a [T], f: impl Fn(&T) -> R + 'a) -> impl FnMut() -> R + 'a {
-    let mut next = inputs.iter().cycle();
-    move || f(black_box(next.next().expect("an input")))
 }
 
 /// Sixty-four near-whites, 1700 to 20000 K.

@@ -110,3 +110,9 @@ fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     times[times.len() / 2]
 }
+
+/// One after the other, round and round.
+pub fn each<'a, T, R>(inputs: &'a [T], f: impl Fn(&T) -> R + 'a) -> impl FnMut() -> R + 'a {
+    let mut next = inputs.iter().cycle();
+    move || f(black_box(next.next().expect("an input")))
+}

@@ -1,12 +1,11 @@
 //! RGB to spectrum, 31 bands: the crate `rgb2spec` reads a table of 16^3 cells, this one solves.
 
-use crate::race::Races;
+use crate::race::{Races, each};
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Basis, Sigmoid, Viewing};
 use nanospectra::{Curve, Interpolation, Nodes, Outside, light::D65};
 use rgb2spec::optimize::{gamut::Gamut, optimize};
-use std::hint::black_box;
 
 type Grid = Nodes<400, 700>;
 
@@ -34,29 +33,10 @@ pub fn all(races: &mut Races) {
         assert_eq!(viewing.rgb(&basis.reflectance(*rgb)).encode().to_u8(), *code);
     }
 
-    let (mut at, mut other, n) = (0, 0, colours.len());
-    let theirs = &mut || {
-        other = (other + 1) % n;
-        read(black_box(colours[other].to_array()))
-    };
-    races.run(
-        "RGB to 31 bands, Sigmoid",
-        None,
-        1.0,
-        || {
-            at = (at + 1) % n;
-            sigmoid.reflectance(black_box(colours[at])).spectrum.on_grid::<31, Grid>()
-        },
-        ("rgb2spec, 16^3 cells", &mut *theirs),
-    );
-    races.run(
-        "RGB to 31 bands, Basis",
-        None,
-        1.0,
-        || {
-            at = (at + 1) % n;
-            basis.reflectance(black_box(colours[at]))
-        },
-        ("rgb2spec, 16^3 cells", theirs),
-    );
+    let peer = "rgb2spec, 16^3 cells";
+    let theirs = || each(&colours, |rgb| read(rgb.to_array()));
+    let by_sigmoid = each(&colours, |rgb| sigmoid.reflectance(*rgb).spectrum.on_grid::<31, Grid>());
+    races.run("RGB to 31 bands, Sigmoid", None, 1.0, by_sigmoid, (peer, theirs()));
+    let by_basis = each(&colours, |rgb| basis.reflectance(*rgb));
+    races.run("RGB to 31 bands, Basis", None, 1.0, by_basis, (peer, theirs()));
 }

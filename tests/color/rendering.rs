@@ -3,7 +3,7 @@
 
 use model::allowed::check;
 use model::cri::{Method, Mode};
-use model::csv::golden;
+use model::csv::{Row, golden};
 use model::tables::source;
 use nanospectra::color::{RenderingError, cri, tm30};
 use nanospectra::light::blackbody_relative;
@@ -16,18 +16,20 @@ fn light(id: &str) -> Fine<Power> {
     Fine::interpolated(&samples, Interpolation::Sprague, Outside::Zero).expect("a good spectrum")
 }
 
+/// What is found for the light of a row; nothing of one that is no white.
+fn found<T>(row: Row<'_>, index: fn(&Fine<Power>) -> Result<T, RenderingError>) -> Option<T> {
+    let no_white = |error| assert!(row.number("Duv").abs() > 0.05, "{}: {error}", row.place());
+    index(&light(row.text("id"))).map_err(no_white).ok()
+}
+
 #[test]
 fn cri_is_that_of_the_goldens() {
     let (mut ra, mut r) = (check("Ra"), check("R1 to R15"));
     let (mut rows, mut refused) = (0, 0);
     for row in golden("03_cri").rows().filter(|row| row.text("mode") == "1nm") {
-        let found = match cri(&light(row.text("id"))) {
-            Ok(found) => found,
-            Err(error) => {
-                assert!(row.number("Duv").abs() > 0.05, "{}: {error}", row.place());
-                refused += 1;
-                continue;
-            }
+        let Some(found) = found(row, cri) else {
+            refused += 1;
+            continue;
         };
         ra.cell(row, "Ra", found.ra.into());
         for (k, value) in found.r.iter().enumerate() {
@@ -83,13 +85,9 @@ fn tm30_is_that_of_the_goldens() {
     let mut samples = check("Rf of samples");
     let (mut rows, mut refused, mut clear, mut listed) = (0, 0, 0, 0);
     for row in golden("03_tm30").rows().filter(|row| row.text("mode") == "1nm") {
-        let found = match tm30(&light(row.text("id"))) {
-            Ok(found) => found,
-            Err(error) => {
-                assert!(row.number("Duv").abs() > 0.05, "{}: {error}", row.place());
-                refused += 1;
-                continue;
-            }
+        let Some(found) = found(row, tm30) else {
+            refused += 1;
+            continue;
         };
         rows += 1;
         rf.cell(row, "Rf", found.rf.into());
