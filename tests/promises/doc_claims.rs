@@ -36,6 +36,19 @@ fn every_row_is_found_in_its_section() {
 }
 
 #[test]
+fn every_bound_has_a_row() {
+    let entries = entries(&TODAY.table);
+    let is_bound = |number: &str| number.contains('.') || number.contains("e-");
+    for (title, section) in sections(&TODAY.texts) {
+        let bound = section.numbers.iter().find(|number| is_bound(&number.text));
+        let held = entries.iter().any(|entry| entry.title == title);
+        if let (Some(bound), true) = (bound, title.ends_with(" Accuracy")) {
+            assert!(held, "{title} says {}; say in tests/data/claims.txt what holds it", bound.text);
+        }
+    }
+}
+
+#[test]
 fn every_claim_is_held() {
     let mut faults = String::new();
     for entry in entries(&TODAY.table) {

@@ -19,7 +19,7 @@
 //! | `path_count` | how many instructions does light take along a path? |
 //! | `path_folded` | how many when the path is folded into the eye? |
 //! | `path_plain` | does a path without effects bring any of them along? |
-//! | `no_panic`, `no_panic_sensor` | can any step panic? |
+//! | `no_panic`, `no_panic_light`, `no_panic_sensor` | can any step panic? |
 //! | `sensor`     | what does an instrument look like, with a window and a log? |
 //! | `driver`     | how do a published driver and this crate go together? |
 //!

@@ -139,7 +139,7 @@ pub fn weights(fine: &[(f64, f64)], grid: EqualBins, how: Reconstruction) -> Vec
 }
 
 /// For each set of bins the second derivatives at the N + 1 edges of the cubic spline through the
-/// running integral: M[j-1] + 4 M[j] + M[j+1] = 6 / h^2 (F[j+1] - 2 F[j] + F[j-1]) inside; at an
+/// running integral: `M[j-1] + 4 M[j] + M[j+1] = 6 / h^2 (F[j+1] - 2 F[j] + F[j-1])` inside; at an
 /// end M = 0, or for not-a-knot the third derivative does not change at the first inner edge.
 fn all_bends(grid: EqualBins, sets: &[Vec<f64>], how: Reconstruction) -> Vec<Vec<f64>> {
     let (n, width) = (grid.count, grid.width());

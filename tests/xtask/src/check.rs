@@ -25,6 +25,14 @@ pub fn run(mut lane: Lane) -> Outcome {
                     harnesses(&STATIONS)
                 ))
             });
+            lane.step("tests of the documentation, the bits, the model and the program", |shell| {
+                let test = "cargo test --quiet --no-fail-fast";
+                shell.run(&format!("{test} -p nanospectra --doc"))?;
+                shell.run(&format!("{test} -p nanospectra --test promises -- doc_claims modules"))?;
+                ["bits", "model", "cli"]
+                    .iter()
+                    .try_for_each(|name| shell.run(&format!("{test} -p nanospectra-{name}")))
+            });
         },
     )?;
     lane.report()
@@ -37,6 +45,7 @@ pub fn harnesses(stations: &[&str]) -> String {
 pub fn format(lane: &mut Lane) {
     lane.step("format", |shell| {
         shell.run("cargo fmt --all --check")?;
+        // (`cargo fmt --all` does not reach these.)
         APART.iter().try_for_each(|folder| shell.again().at(folder).run("cargo fmt --check"))
     });
 }
@@ -58,12 +67,15 @@ pub fn lints(lane: &mut Lane, packages: &[Package]) {
 
 pub fn documentation(lane: &mut Lane, packages: &[Package]) {
     lane.step("documentation", |shell| {
-        let shell = shell.again().with("RUSTDOCFLAGS", "-D warnings");
-        let libraries = packages.iter().filter(|package| package.has_library);
-        // Of the others a page is for those who work on them.
-        each(libraries, &shell, |name| {
-            let private = if name == "nanospectra" { "" } else { " --document-private-items" };
-            format!("cargo doc --no-deps --all-features -p {name}{private}")
+        let page = |name: &str, flags: &str| {
+            let shell = shell.again().with("RUSTDOCFLAGS", flags);
+            shell.run(&format!("cargo doc --no-deps --all-features -p {name}"))
+        };
+        page("nanospectra", "-D warnings")?;
+        // The pages of the others are for those who work on them.
+        let others = packages.iter().filter(|package| package.has_library && package.name != "nanospectra");
+        others.map(|package| &package.name).try_for_each(|name| {
+            page(name, "-D warnings --document-private-items -A rustdoc::private_intra_doc_links")
         })
     });
 }

@@ -7,6 +7,7 @@
 mod without_panic;
 
 use core::hint::black_box;
+use nanospectra::geometry::{Cosine, Direction, Frame, GaussLegendre, Uniform};
 use nanospectra::matter::{
     Absorber, Brdf, Burley, Cauchy, Conductor, Dielectric, Dipole, Donaldson, Dye, Glass, Lambert, Layer,
     Medium, Microfacet, Mirror, N_BK7, OrenNayar, Phosphor, Polariser, Retarder, SearchLight, Slab, Smooth,
@@ -15,8 +16,10 @@ use nanospectra::matter::{
 };
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::path::{Part, Scene};
-use nanospectra::geometry::{Cosine, Direction, Frame, GaussLegendre, Uniform};
-use nanospectra::radiometry::{DiscSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance, form_factor, solid_angle};
+use nanospectra::radiometry::{
+    DiscSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance,
+    form_factor, solid_angle,
+};
 use nanospectra::sensor::{Bend, DeadTime};
 use nanospectra::{Light, Power, Reflectance, Spectrum};
 use nanospectra_firmware::vest::VEST;

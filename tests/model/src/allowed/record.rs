@@ -30,7 +30,7 @@ pub fn hold(what: &'static str, measured: [f64; 2]) {
         return;
     }
     let Some(recorded) = all.get(what) else {
-        panic!("'{what}' is not on record: `cargo xtask bless` records it")
+        panic!("'{what}' is not on record: this test with NANOSPECTRA_BLESS=1 records it")
     };
     for (measured, recorded) in measured.into_iter().zip(recorded) {
         assert!(measured <= 1.02 * recorded, "{what}: {measured:.3e}, on record are {recorded:.3e}");
