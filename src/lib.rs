@@ -81,11 +81,11 @@ mod grid;
 
 mod price;
 
-mod samples;
-
 mod spectrum;
 
 mod sum;
+
+mod test_samples;
 
 mod tristimulus;
 

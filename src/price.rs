@@ -1,6 +1,6 @@
 //! What a path costs, known while compiling.
 
-/// A set of effects beyond light that each bin keeps to itself.
+/// A set of optical effects that a factor per bin cannot express: fluorescence, phosphorescence, polarisation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Effects(u8);
@@ -124,8 +124,8 @@ impl Price {
     }
 }
 
-/// What has a price that is known while compiling: light on its way, and matter other than a plain factor
-/// ([`Price::factor`]), since a spectrum by itself is light.
+/// What has a price that is known while compiling: light on its way, and matter. A spectrum has the price of a light; as a
+/// filter or a surface it costs [`Price::factor`].
 ///
 /// ```
 /// use nanospectra::path::{Plain, Priced, Times};

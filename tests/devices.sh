@@ -19,6 +19,8 @@ root=$PWD
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$root/target}/devices
 [[ $CARGO_TARGET_DIR == /* ]] || CARGO_TARGET_DIR=$root/$CARGO_TARGET_DIR
 # These would replace or join the flags that every build here chooses for itself.
+# The compiler that the records belong to, unless another is asked for.
+export RUSTUP_TOOLCHAIN=${RUSTUP_TOOLCHAIN:-$(sed -n 's/.*OF_RECORDS: &str = "\(.*\)";/\1/p' tests/xtask/src/toolchain.rs)}
 unset RUSTFLAGS CARGO_ENCODED_RUSTFLAGS CARGO_BUILD_TARGET CARGO_BUILD_RUSTFLAGS
 
 m4f=thumbv7em-none-eabihf

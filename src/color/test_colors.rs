@@ -10,8 +10,8 @@
 
 use crate::light::{S0, S1, S2, daylight_factors};
 use crate::observer::{CIE_1931, FineObserver};
-use crate::samples::{TCS, TCS_5NM};
 use crate::spectrum::{BEYOND, Factor, Fine, Interpolation, Outside, Power, quintic};
+use crate::test_samples::{TCS, TCS_5NM};
 
 include!(concat!(env!("OUT_DIR"), "/reference.rs"));
 

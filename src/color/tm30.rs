@@ -5,8 +5,8 @@ use crate::color::cam02ucs::{Cam02Ucs, Viewing};
 use crate::color::reference::{RenderingError, daylight, planckian, temperature};
 use crate::math::{Math, Portable, sqrt};
 use crate::observer::{CIE_1931, CIE_1964, FineObserver};
-use crate::samples::CES;
 use crate::spectrum::{Factor, Fine, Power};
+use crate::test_samples::CES;
 
 /// How a light renders the 99 colour evaluation samples.
 #[derive(Clone, Copy, Debug, PartialEq)]

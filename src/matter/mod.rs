@@ -1,4 +1,4 @@
-//! What light meets, and what leaves: surfaces that reflect and refract, from where to where; thin films; volumes
+//! What light meets, and what leaves: surfaces that reflect and refract, and their BRDFs; thin films; volumes
 //! that absorb and scatter; matter that fluoresces, glows on or polarises; and the reflectances that colour rendering
 //! is judged by.
 
@@ -28,7 +28,7 @@ mod fluorescence;
 mod phosphorescence;
 mod polarisation;
 
-pub use crate::samples::{CES, TCS};
+pub use crate::test_samples::{CES, TCS};
 
 pub use brdf::{Brdf, Lambert};
 pub use fresnel::{Amplitudes, Components, Conductor, Dielectric};

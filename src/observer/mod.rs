@@ -1,4 +1,4 @@
-//! What looks at the light: rows of weights, and the fold that makes them small.
+//! What looks at the light: rows of weights, the fold that makes them small, and [`Path`]: what they can look at.
 
 mod cie;
 mod fold;

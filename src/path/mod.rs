@@ -12,7 +12,8 @@
 //! ```
 //!
 //! The stages are references: a path is as long as they are, and one pass over the bins evaluates it. What light
-//! carries, and what happens to it, are types, so an effect that is not written costs nothing:
+//! carries, and what happens to it, are types, so an effect that is not written costs nothing. What an observer can look
+//! at is a [`Path`](crate::observer::Path):
 //!
 //! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
 //!   it; a [`Dye`](crate::matter::Dye) or a [`Donaldson`](crate::matter::Donaldson) matrix makes it fluoresce.

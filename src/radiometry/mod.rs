@@ -1,5 +1,5 @@
 //! From power to what it does: lumens, non-visual stimulation, photons for plants; the quantities of radiometry
-//! with their relations, the geometry between them, and directions: where light comes from and goes to.
+//! with their relations; solid angles and form factors. (Directions are in [`geometry`](crate::geometry).)
 //!
 //! Six quantities, [`Energy`], [`Flux`], [`Intensity`], [`Irradiance`], [`Exitance`] and [`Radiance`], carry
 //! [`Radiant`] (watts), [`Luminous`] (lumens) or [`Scotopic`] numbers, or a whole spectrum in watts for each

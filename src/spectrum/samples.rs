@@ -68,7 +68,7 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     ///
     /// # Accuracy
     /// A constant comes out as exactly that constant, at every `N`; otherwise within 2e-6 of the
-    /// largest sample (`tests/spectrum/properties.rs`).
+    /// largest sample (`tests/spectrum/any_spectrum.rs`).
     ///
     /// # Errors
     /// [`SamplesError`]: fewer than two, not finite, not increasing. Nothing is sorted or dropped.

@@ -74,7 +74,11 @@ fn only_the_tables_that_a_program_uses_are_in_its_image() {
     let output = package.cargo(&["build", "--release"]);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let read = |program: &str| {
-        let path = package.folder.join("target/release").join(program);
+        let path = package
+            .folder
+            .join("target/release")
+            .join(program)
+            .with_extension(std::env::consts::EXE_EXTENSION);
         let image = std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let run = std::process::Command::new(&path).output().expect("the program runs");
         (image, String::from_utf8_lossy(&run.stdout).into_owned())

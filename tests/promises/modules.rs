@@ -12,7 +12,7 @@ const ORDER: [&str; 16] = [
     "tristimulus",
     "geometry",
     "spectrum",
-    "samples",
+    "test_samples",
     "observer",
     "light",
     "color",

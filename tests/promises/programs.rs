@@ -18,7 +18,6 @@ impl Package {
         package
     }
 
-    #[allow(dead_code, reason = "every test compiles this module and uses a part of it")]
     /// A package of binaries that depends on the crate as a user's does.
     pub fn using_the_crate(name: &str, programs: &[(&str, &str)]) -> Package {
         let manifest = format!(

@@ -1,8 +1,8 @@
 //! How much light, where: quantities, directions, form factors.
 
+mod any_geometry;
 mod directions;
 mod form_factors;
 mod frames;
 mod hard_cases;
-mod properties;
 mod quantities;

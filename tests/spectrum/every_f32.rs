@@ -2,7 +2,7 @@
 //!
 //! `cargo test` tries every 251st, `cargo xtask full` every fifth. All of them, 200 s of one core (100 s on two):
 //!
-//!     NANOSPECTRA_STRIDE=1 cargo test --release --test spectrum every_f32
+//!     NANOSPECTRA_STRIDE=1 cargo test --release -p nanospectra --test spectrum every_f32
 
 use model::allowed::check;
 use nanospectra::math::{self, Fast, Math};

@@ -1,7 +1,7 @@
 //! 8-bit sRGB colours, upsampled and looked at again: in plain `cargo test` every fifth level of each channel, and
 //! all 2^24 colours (`cargo xtask full` does so for the default map) with
 //!
-//!     NANOSPECTRA_STRIDE=1 cargo test --release --test upsample all::
+//!     NANOSPECTRA_STRIDE=1 cargo test --release -p nanospectra --test upsample all::
 #![cfg(feature = "libm")]
 
 use crate::LIGHT;

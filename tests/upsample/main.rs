@@ -1,10 +1,10 @@
 //! From RGB to spectra.
 
 mod all;
+mod any_color;
 mod digits;
 mod displays;
 mod fit;
-mod properties;
 mod single_colors;
 mod tables;
 

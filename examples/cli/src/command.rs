@@ -47,9 +47,10 @@ fn run() -> Result<(), Failure> {
 
 /// A failure that begins with the name of the command it is about.
 fn refused(error: Error) -> Failure {
-    let word = std::env::args().nth(1).unwrap_or_default();
+    let word = std::env::args_os().nth(1).unwrap_or_default();
+    let word = word.to_string_lossy();
     let cli = Cli::command();
-    let command = cli.find_subcommand(&word).map_or("nanospectra", |command| command.get_name());
+    let command = cli.find_subcommand(word.as_ref()).map_or("nanospectra", |command| command.get_name());
     if error.kind() == ErrorKind::InvalidSubcommand {
         let word = short(usage::context(&error, ContextKind::InvalidSubcommand).unwrap_or_default());
         let names: Vec<&str> = cli.get_subcommands().map(|command| command.get_name()).collect();

@@ -6,11 +6,11 @@
 
 mod command;
 pub mod failure;
-pub mod input;
-pub mod measure;
+mod input;
+mod measure;
 pub mod output;
-pub mod paint;
-pub mod picture;
+mod paint;
+mod picture;
 pub mod scene;
 pub mod sensor;
 pub mod usage;

@@ -23,13 +23,14 @@
 //! | `sensor`     | what does an instrument look like, with a window and a log? |
 //! | `driver`     | how do a published driver and this crate go together? |
 //!
-//! `tests/devices.sh` of the main crate asks all of them, and runs `tests/on_target.rs` on a host and on every board.
+//! `tests/devices.sh` asks all of them, and runs `tests/on_target.rs` on a host and on every board.
 #![no_std]
 
-/// What an image starts with: `#[nanospectra_firmware::entry] fn main() -> !`.
+pub use nanospectra_bits as bits;
+
+// What an image starts with: `#[nanospectra_firmware::entry] fn main() -> !`.
 #[cfg(all(target_arch = "arm", target_os = "none"))]
 pub use cortex_m_rt::entry;
-pub use nanospectra_bits as bits;
 #[cfg(all(target_arch = "riscv32", target_os = "none"))]
 pub use riscv_rt::entry;
 

@@ -18,7 +18,7 @@ pub struct PolarisedObserver<const C: usize, const N: usize, Q = Factor, G = Bin
 by_fields!([const C: usize, const N: usize, Q, G] PolarisedObserver<C, N, Q, G>, "PolarisedObserver": 0);
 
 impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
-    /// This observer, asked how the light is polarised: it does not care, but what is put before it may.
+    /// Starts folding polarising elements in front of this observer, which itself responds equally to all polarisations.
     #[must_use]
     pub const fn polarised(&self) -> PolarisedObserver<C, N, Q, G> {
         let mut weights = [[[0.0; 4]; N]; C];
@@ -40,7 +40,7 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
         self.polarised().through_polariser(polariser)
     }
 
-    /// This observer behind a retarder, which by itself nothing tells.
+    /// This observer behind a retarder. A retarder alone changes no reading; between polarisers or mirrors it does.
     #[must_use]
     pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> PolarisedObserver<C, N, Q, G> {
         self.polarised().through_retarder(retarder)

@@ -1,7 +1,7 @@
 //! One hash for each group of results, over their raw bits.
 //!
-//! The crate promises the same bits on every target, and these files are compiled into all of them: the
-//! firmware images, the wasm module and the host test of the main crate, which compare what is reported.
+//! The library promises the same bits on every target, and this package is compiled for all of them: into the firmware
+//! images, the wasm module, and `tests/record.rs` on a host. What each reports is compared with `tests/data/bits.txt`.
 
 #![no_std]
 

@@ -2,7 +2,7 @@
 //!
 //! Every function is the textbook definition written out naively: direct sums, bisection, dense
 //! linear algebra. It shares no code with the crate, so where the two agree both are probably
-//! right. `model_against_goldens.rs` holds the model itself to published and precomputed values.
+//! right. `tests/goldens.rs` holds the model itself to published and precomputed values.
 
 pub mod csv;
 pub mod interpolation;

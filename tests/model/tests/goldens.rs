@@ -1,5 +1,5 @@
 //! Is the f64 model itself right? Lights: every golden it can compute, every row, at the digits
-//! printed. `model_colors_against_goldens.rs` goes on with surfaces and color spaces.
+//! printed. `color_goldens.rs` goes on with surfaces and color spaces.
 
 use model::cct::{cct, cct_codata, planckian, uv_at};
 use model::check::Check;

@@ -31,7 +31,9 @@ impl Shell {
     pub fn new() -> Self {
         // The same random cases every time: a failure is the change's own. Another seed looks elsewhere.
         let seed = env::var_os("PROPTEST_RNG_SEED").unwrap_or_else(|| "1".into());
-        Self::default().with("RUSTUP_TOOLCHAIN", toolchain::OF_RECORDS).with("PROPTEST_RNG_SEED", seed)
+        let shell = Self::default().with("RUSTUP_TOOLCHAIN", toolchain::OF_RECORDS);
+        // What is installed is said: rustup must not do it unasked.
+        shell.with("RUSTUP_AUTO_INSTALL", "0").with("PROPTEST_RNG_SEED", seed)
     }
 
     /// Writes what commands print to this file instead of the terminal.
@@ -68,7 +70,7 @@ impl Shell {
         }
     }
 
-    /// Prints a command as a user can type it.
+    /// Prints a command with the variables that it is given beyond those of every command.
     fn announce(&self, line: &str) {
         let shared = Self::new();
         let own =
@@ -92,7 +94,7 @@ impl Shell {
 
     /// Runs those tests that a filter lets through. None would pass unnoticed, so that is a failure.
     pub fn filtered(&self, line: &str) -> Outcome {
-        self.say(&format!("$ {line}"));
+        self.announce(line);
         let text = self.output(line)?;
         self.say(&text);
         let ran =

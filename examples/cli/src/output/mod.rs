@@ -1,11 +1,11 @@
 //! Printing what was found: for people as text, for programs as JSON.
 
-pub mod json;
-pub mod plot;
+pub(crate) mod json;
+pub(crate) mod plot;
 mod progress;
-pub mod report;
+pub(crate) mod report;
 pub mod terminal;
-pub mod tint;
+pub(crate) mod tint;
 
-pub use progress::Progress;
-pub use report::Report;
+pub(crate) use progress::Progress;
+pub(crate) use report::Report;

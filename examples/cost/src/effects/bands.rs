@@ -1,4 +1,4 @@
-//! The scenes that come with the program `scene`, on fewer bands.
+//! The scenes that come with `nanospectra scene`, on fewer bands.
 
 use super::scenes::{LAMPS, SCENES, under};
 use crate::cells::{COUNTED, RANGE, beaten, counted, range};

@@ -1,4 +1,4 @@
-//! The scenes that come with the program `scene`, each without one of its parts.
+//! The scenes that come with `nanospectra scene`, each without one of its parts.
 
 use crate::cells::{COUNTED, RANGE, counted, range};
 use crate::report::{Cell, Column, Table};

@@ -53,6 +53,6 @@ fn read() -> i32 {
         return 1;
     };
     println!("counts {counts:?}: {cct_k:.0} K, Duv {duv:.4}");
-    // LED-B1 has 2735 K; so says the colorimeter, from its whole spectrum.
+    // LED-B1 has 2735 K; so says `nanospectra measure`, from its whole spectrum.
     i32::from((cct_k - 2735.0).abs() > 2.0)
 }
