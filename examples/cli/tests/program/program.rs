@@ -31,3 +31,14 @@ fn a_word_that_is_no_command_is_refused_on_one_line() {
     NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "no command");
     NANOSPECTRA.refuses(&["--json"], "nanospectra: ", "--json");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_word_that_is_no_text_is_refused_on_one_line() {
+    use std::os::unix::ffi::OsStrExt;
+    let word = std::ffi::OsStr::from_bytes(b"\xff");
+    let program = std::process::Command::new(env!("CARGO_BIN_EXE_nanospectra")).arg(word).output();
+    let output = program.expect("it runs");
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+    assert_eq!(String::from_utf8_lossy(&output.stderr).lines().count(), 1);
+}
