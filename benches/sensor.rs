@@ -1,4 +1,4 @@
-//! From the counts of a chip to a colour on a host; what a device needs is counted by `tests/devices.sh`. Ids are
+//! From the counts of a chip to a color on a host; what a device needs is counted by `tests/devices.sh`. Ids are
 //! station/op/N/backend.
 
 use criterion::{BatchSize, BenchmarkId, Criterion};

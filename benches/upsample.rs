@@ -1,8 +1,8 @@
 //! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`. Ids are
 //! station/op/N/backend.
 //!
-//! The colours are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for one
-//! colour (or eight, or one sample, as the id says). `coefficients` are what `rgb2spec` finds in its table of 16^3
+//! The colors are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for one
+//! color (or eight, or one sample, as the id says). `coefficients` are what `rgb2spec` finds in its table of 16^3
 //! cells, no spectrum yet. Every bench checks its result first.
 
 use criterion::{BenchmarkId, Criterion, Throughput};
@@ -46,16 +46,16 @@ fn solver<const N: usize, G: Grid, M: StartMap>(c: &mut Criterion, name: &str) {
     let viewing: Viewing<N, G> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
     let sigmoid: Sigmoid<N, G, Srgb, M> = Sigmoid::new(&viewing);
     let codes = codes();
-    let colours = linear(&codes);
-    for (code, rgb) in codes.iter().zip(&colours) {
+    let colors = linear(&codes);
+    for (code, rgb) in codes.iter().zip(&colors) {
         let spectrum = sigmoid.reflectance(*rgb).spectrum.on_grid();
         assert_eq!(viewing.rgb(&spectrum).encode().to_u8(), *code);
     }
-    let eights: Vec<[Rgb<Srgb>; 8]> = colours.as_chunks::<8>().0.to_vec();
+    let eights: Vec<[Rgb<Srgb>; 8]> = colors.as_chunks::<8>().0.to_vec();
     for eight in &eights {
         assert_eq!(sigmoid.reflectance_8(eight), eight.map(|rgb| sigmoid.reflectance(rgb)));
     }
-    each(c, "reflectance", BenchmarkId::new(N.to_string(), name), &colours, |rgb| sigmoid.reflectance(rgb));
+    each(c, "reflectance", BenchmarkId::new(N.to_string(), name), &colors, |rgb| sigmoid.reflectance(rgb));
     let mut group = c.benchmark_group("upsample/reflectance-of-8");
     group.throughput(Throughput::Elements(8));
     let mut next = 0;
@@ -84,18 +84,18 @@ fn linear_methods(c: &mut Criterion) {
     let viewing: Viewing<31, Nodes<400, 700>> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
     let (basis, smits) = (Basis::new(&viewing), Smits::<31, Nodes<400, 700>>::new());
     let codes = codes();
-    let colours = linear(&codes);
-    for (code, rgb) in codes.iter().zip(&colours) {
+    let colors = linear(&codes);
+    for (code, rgb) in codes.iter().zip(&colors) {
         assert_eq!(viewing.rgb(&basis.reflectance(*rgb)).encode().to_u8(), *code);
         assert!(viewing.delta_e(*rgb, &smits.reflectance(*rgb)) < 3.0);
     }
-    each(c, "reflectance", BenchmarkId::new("31", "basis"), &colours, |rgb| basis.reflectance(rgb));
-    each(c, "reflectance", BenchmarkId::new("31", "smits"), &colours, |rgb| smits.reflectance(rgb));
+    each(c, "reflectance", BenchmarkId::new("31", "basis"), &colors, |rgb| basis.reflectance(rgb));
+    each(c, "reflectance", BenchmarkId::new("31", "smits"), &colors, |rgb| smits.reflectance(rgb));
 }
 
 fn peer(c: &mut Criterion) {
     let table = optimize(Gamut::SRGB, 16).expect("a table");
-    let colours: Vec<[f32; 3]> = linear(&codes()).iter().map(|rgb| rgb.to_array()).collect();
+    let colors: Vec<[f32; 3]> = linear(&codes()).iter().map(|rgb| rgb.to_array()).collect();
     let read = |rgb: [f32; 3]| {
         let coefficients = table.fetch(rgb);
         let mut values = [0.0; 31];
@@ -105,8 +105,8 @@ fn peer(c: &mut Criterion) {
         values
     };
     assert!((read([0.5; 3])[15] - 0.5).abs() < 1e-2);
-    each(c, "coefficients", BenchmarkId::new("3", "rgb2spec-16"), &colours, |rgb| table.fetch(rgb));
-    each(c, "reflectance", BenchmarkId::new("31", "rgb2spec-16"), &colours, read);
+    each(c, "coefficients", BenchmarkId::new("3", "rgb2spec-16"), &colors, |rgb| table.fetch(rgb));
+    each(c, "reflectance", BenchmarkId::new("31", "rgb2spec-16"), &colors, read);
 }
 
 fn main() {

@@ -1,4 +1,4 @@
-//! The colour of a lamp from what a spectroradiometer measured: XYZ, CCT with Duv, and the colour rendering
+//! The color of a lamp from what a spectroradiometer measured: XYZ, CCT with Duv, and the color rendering
 //! index Ra. For everyone who has a table of wavelengths and values and wants the numbers of a data sheet.
 //!
 //! `cargo run --release --example lamp_color`

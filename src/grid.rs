@@ -3,35 +3,35 @@
 /// A range of wavelengths, in nm, divided into equal bins; a type, so that spectra on
 /// different grids cannot be mixed.
 ///
-/// Use [`Bins`] or [`Nodes`]; a range that is not whole nanometres brings its own type:
+/// Use [`Bins`] or [`Nodes`]; a range that is not whole nanometers brings its own type:
 ///
 /// ```
 /// # use nanospectra::{Grid, Light};
-/// /// A mini-spectrometer whose pixels are centred on 317.4..=881.2 nm.
+/// /// A mini-spectrometer whose pixels are centerd on 317.4..=881.2 nm.
 /// #[derive(Clone, Copy, Debug)]
 /// struct MyChip;
 /// impl Grid for MyChip {
 ///     const FIRST: f64 = 317.4;
 ///     const LAST: f64 = 881.2;
-///     const CENTRED: bool = true;
+///     const CENTERD: bool = true;
 /// }
 /// let dark = Light::<288, MyChip>::flat(0.0);
 /// assert_eq!(dark.iter().next(), Some((317.4, 0.0)));
 /// ```
 pub trait Grid: Copy + 'static {
-    /// The first edge, or the centre of the first bin if [`CENTRED`](Grid::CENTRED), in nm.
+    /// The first edge, or the center of the first bin if [`CENTERD`](Grid::CENTERD), in nm.
     const FIRST: f64;
-    /// The last edge, or the centre of the last bin if [`CENTRED`](Grid::CENTRED), in nm.
+    /// The last edge, or the center of the last bin if [`CENTERD`](Grid::CENTERD), in nm.
     const LAST: f64;
-    /// Whether `FIRST` and `LAST` are centres of bins (an instrument's) or edges.
-    const CENTRED: bool;
+    /// Whether `FIRST` and `LAST` are centers of bins (an instrument's) or edges.
+    const CENTERD: bool;
 }
 
 /// N equal bins between two edges, in nm: `Light<60, Bins<400, 700>>` has bins 5 nm wide.
 #[derive(Clone, Copy, Debug)]
 pub struct Bins<const START: u16, const END: u16>;
 
-/// N equal bins centred on `FIRST`..=`LAST`, in nm: what instruments and CIE tables report.
+/// N equal bins centerd on `FIRST`..=`LAST`, in nm: what instruments and CIE tables report.
 /// `Light<81, Nodes<380, 780>>` is a 5 nm instrument; its outer edges are 377.5 and 782.5 nm.
 #[derive(Clone, Copy, Debug)]
 pub struct Nodes<const FIRST: u16, const LAST: u16>;
@@ -39,13 +39,13 @@ pub struct Nodes<const FIRST: u16, const LAST: u16>;
 impl<const START: u16, const END: u16> Grid for Bins<START, END> {
     const FIRST: f64 = START as f64;
     const LAST: f64 = END as f64;
-    const CENTRED: bool = false;
+    const CENTERD: bool = false;
 }
 
 impl<const FIRST: u16, const LAST: u16> Grid for Nodes<FIRST, LAST> {
     const FIRST: f64 = FIRST as f64;
     const LAST: f64 = LAST as f64;
-    const CENTRED: bool = true;
+    const CENTERD: bool = true;
 }
 
 /// The wavelengths of `N` bins on the grid `G`, worked out once, when code is generated.
@@ -56,8 +56,8 @@ impl<G: Grid, const N: usize> Layout<G, N> {
     pub(crate) const WIDTH: f64 = {
         assert!(N >= 1, "a spectrum needs at least one band");
         assert!(G::FIRST >= 0.0 && G::FIRST < G::LAST, "a grid must end above its start");
-        assert!(G::LAST <= 1e6, "a grid must end below a millimetre");
-        let width = if G::CENTRED {
+        assert!(G::LAST <= 1e6, "a grid must end below a millimeter");
+        let width = if G::CENTERD {
             assert!(N >= 2, "one band has no spacing: use Bins for it");
             (G::LAST - G::FIRST) / (N - 1) as f64
         } else {
@@ -68,15 +68,15 @@ impl<G: Grid, const N: usize> Layout<G, N> {
     };
 
     /// The lower edge of the first bin, in nm.
-    pub(crate) const START: f64 = if G::CENTRED { G::FIRST - Self::WIDTH / 2.0 } else { G::FIRST };
+    pub(crate) const START: f64 = if G::CENTERD { G::FIRST - Self::WIDTH / 2.0 } else { G::FIRST };
 
     /// The upper edge of the last bin, in nm.
-    pub(crate) const END: f64 = if G::CENTRED { G::LAST + Self::WIDTH / 2.0 } else { G::LAST };
+    pub(crate) const END: f64 = if G::CENTERD { G::LAST + Self::WIDTH / 2.0 } else { G::LAST };
 
     /// The width for run-time code.
     pub(crate) const STEP: f32 = Self::WIDTH as f32;
 
-    /// Edge `k`, 0..=N, in nm: one function for both neighbours, so no gap opens between bins.
+    /// Edge `k`, 0..=N, in nm: one function for both neighbors, so no gap opens between bins.
     pub(crate) const fn edge(k: usize) -> f32 {
         if k >= N { Self::END as f32 } else { Self::START as f32 + k as f32 * Self::STEP }
     }
@@ -89,15 +89,15 @@ impl<G: Grid, const N: usize> Layout<G, N> {
         start + k as i64 * width
     }
 
-    /// Centre of the first bin, in nm.
-    pub(crate) const FIRST_CENTRE: f32 = (Self::START + Self::WIDTH / 2.0) as f32;
+    /// Center of the first bin, in nm.
+    pub(crate) const FIRST_CENTER: f32 = (Self::START + Self::WIDTH / 2.0) as f32;
 
-    /// Centre of the last bin, in nm.
-    pub(crate) const LAST_CENTRE: f32 = (Self::END - Self::WIDTH / 2.0) as f32;
+    /// Center of the last bin, in nm.
+    pub(crate) const LAST_CENTER: f32 = (Self::END - Self::WIDTH / 2.0) as f32;
 
-    /// Centre of bin `k`, in nm; exact on whole-nanometre nodes.
-    pub(crate) const fn centre(k: usize) -> f32 {
-        if k + 1 >= N { Self::LAST_CENTRE } else { Self::FIRST_CENTRE + k as f32 * Self::STEP }
+    /// Center of bin `k`, in nm; exact on whole-nanometer nodes.
+    pub(crate) const fn center(k: usize) -> f32 {
+        if k + 1 >= N { Self::LAST_CENTER } else { Self::FIRST_CENTER + k as f32 * Self::STEP }
     }
 }
 

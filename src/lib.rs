@@ -1,4 +1,4 @@
-//! What light looks like, for a microcontroller, a web page or a renderer: spectral colour maths
+//! What light looks like, for a microcontroller, a web page or a renderer: spectral color math
 //! in fixed-size arrays, without std and without an allocator.
 //!
 //! ```
@@ -6,7 +6,7 @@
 //! use nanospectra::observer::CIE_1931;
 //! use nanospectra::{Curve, Fine, Interpolation, Observer, Outside, Power, Reflectance, light};
 //!
-//! // A measured lamp, every 5 nm (here a table's), to its colour: interpolate to 1 nm, sum.
+//! // A measured lamp, every 5 nm (here a table's), to its color: interpolate to 1 nm, sum.
 //! let lamp: Fine<Power> = light::FL11.interpolate(Interpolation::Linear, Outside::Zero);
 //! let xyz = Xyz::from(CIE_1931.sees(&lamp));
 //! let Some(Cct::Near { cct_k, duv }) = xyz.uv1960().map(|uv| uv.cct()) else { return };
@@ -17,8 +17,8 @@
 //!     .under(&light::FL11.interpolate(Interpolation::Linear, Outside::Zero))
 //!     .fold(Curve::Spline)
 //!     .with_white_y(100.0);
-//! let grey = Reflectance::flat(0.5);
-//! let [_, y, _] = EYE.sees(&grey);
+//! let gray = Reflectance::flat(0.5);
+//! let [_, y, _] = EYE.sees(&gray);
 //! assert!((y - 50.0).abs() < 1e-4);
 //! ```
 //!
@@ -32,20 +32,20 @@
 //!
 //! # The road
 //!
-//! A number enters as a measured sample and leaves as a colour. The modules are the stations:
+//! A number enters as a measured sample and leaves as a color. The modules are the stations:
 //!
-//! * [`Grid`]: where N bands lie. [`Bins`] between edges, [`Nodes`] centred on wavelengths.
+//! * [`Grid`]: where N bands lie. [`Bins`] between edges, [`Nodes`] centerd on wavelengths.
 //! * [`Spectrum`]: N averages of [`Power`] or [`Factor`] on a grid, from samples, lines, tables.
 //! * [`light`]: where power comes from: the CIE illuminants, daylight, black bodies.
 //! * [`matter`]: what light meets: test samples; glasses, metals, matt and rough surfaces; films, absorbers, scatterers;
-//!   dyes, mirrors, polarisers.
+//!   dyes, mirrors, polarizers.
 //! * [`observer`]: what looks: eyes, cones, V(lambda), any C-channel sensor; the fold.
-//! * [`path`]: lamp, filter, surface, in that order; fluorescence and polarisation where they are called for.
+//! * [`path`]: lamp, filter, surface, in that order; fluorescence and polarization where they are called for.
 //! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
 //! * [`upsample`]: the way back: a spectrum for an RGB, exact, smooth and within 0..=1.
 //! * [`radiometry`]: how much of it, where: radiance to lux with units, solid angles, form factors; melanopic stimulation,
 //!   photons.
-//! * [`sensor`]: how silicon sees it: raw counts to colour, calibration, uncertainty, integers only.
+//! * [`sensor`]: how silicon sees it: raw counts to color, calibration, uncertainty, integers only.
 //!
 //! Below them all lie [`geometry`]: directions, frames and integrals over the hemisphere; and [`math`]: the elementary
 //! functions, and the backends that provide them.
@@ -73,7 +73,7 @@
 //! # Left out
 //!
 //! Files, text and plots (see `examples/cli` for these); spectra whose size is known only at run time;
-//! f64 at run time; colour appearance beyond what TM-30 needs.
+//! f64 at run time; color appearance beyond what TM-30 needs.
 #![no_std]
 #![deny(missing_docs, unsafe_code)]
 

@@ -1,25 +1,25 @@
 //! What a path costs, known while compiling.
 
-/// A set of optical effects that a factor per bin cannot express: fluorescence, phosphorescence, polarisation.
+/// A set of optical effects that a factor per bin cannot express: fluorescence, phosphorescence, polarization.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Effects(u8);
 
 impl Effects {
-    /// Every bin keeps its light, unpolarised: factors and nothing else.
+    /// Every bin keeps its light, unpolarized: factors and nothing else.
     pub const NONE: Effects = Effects(0);
     /// Light absorbed at one wavelength and emitted at another.
     pub const FLUORESCENCE: Effects = Effects(1);
     /// Light emitted later than it was absorbed.
     pub const PHOSPHORESCENCE: Effects = Effects(2);
     /// Light that oscillates more in one direction than in another, followed as Stokes vectors.
-    pub const POLARISATION: Effects = Effects(4);
+    pub const POLARIZATION: Effects = Effects(4);
 
     /// What a tool would call them, in the order of the constants.
     const NAMES: [(Effects, &str); 3] = [
         (Effects::FLUORESCENCE, "fluorescence"),
         (Effects::PHOSPHORESCENCE, "phosphorescence"),
-        (Effects::POLARISATION, "polarisation"),
+        (Effects::POLARIZATION, "polarization"),
     ];
 
     /// Those of both.
@@ -44,8 +44,8 @@ impl Effects {
     ///
     /// ```
     /// # use nanospectra::path::Effects;
-    /// let vest = Effects::FLUORESCENCE.and(Effects::POLARISATION);
-    /// assert!(vest.names().eq(["fluorescence", "polarisation"]));
+    /// let vest = Effects::FLUORESCENCE.and(Effects::POLARIZATION);
+    /// assert!(vest.names().eq(["fluorescence", "polarization"]));
     /// ```
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         Self::NAMES.iter().filter(move |(effect, _)| self.contains(*effect)).map(|(_, name)| *name)
@@ -53,7 +53,7 @@ impl Effects {
 }
 
 impl core::fmt::Display for Effects {
-    /// `fluorescence + polarisation`; `no effect` of none.
+    /// `fluorescence + polarization`; `no effect` of none.
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         if self.is_empty() {
             return f.pad("no effect");
@@ -68,9 +68,9 @@ impl core::fmt::Display for Effects {
 ///
 /// ```
 /// # use nanospectra::path::{Effects, Price};
-/// let effects = Effects::FLUORESCENCE.and(Effects::POLARISATION);
+/// let effects = Effects::FLUORESCENCE.and(Effects::POLARIZATION);
 /// let price = Price { effects, multiply_adds: 486, bytes: 1296 };
-/// assert_eq!(price.to_string(), "fluorescence + polarisation, 486 multiply-adds, 1296 bytes");
+/// assert_eq!(price.to_string(), "fluorescence + polarization, 486 multiply-adds, 1296 bytes");
 /// assert_eq!(Price::factor(31).to_string(), "no effect, 31 multiply-adds, 124 bytes");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

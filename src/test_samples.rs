@@ -20,7 +20,7 @@ pub(crate) static TCS_5NM: [Spectrum<Factor, 95, Nodes<360, 830>>; 15] = {
     samples
 };
 
-/// CIE 13.3 test colour samples 1..=14, and TCS15 (Japanese skin) as the last, on the CIE grid:
+/// CIE 13.3 test color samples 1..=14, and TCS15 (Japanese skin) as the last, on the CIE grid:
 /// the 5 nm tables by Sprague's interpolation, end values held.
 pub static TCS: [Fine<Factor>; 15] = {
     let mut samples = [Spectrum::flat(0.0); 15];

@@ -124,7 +124,7 @@ impl Xy {
         Xy { x, y }
     }
 
-    /// The colour of this chromaticity with luminance `y`; `None` on the alychne (y = 0).
+    /// The color of this chromaticity with luminance `y`; `None` on the alychne (y = 0).
     #[must_use]
     pub fn xyz(self, y: f32) -> Option<Xyz> {
         if self.y == 0.0 {

@@ -1,7 +1,7 @@
 //! Turns the CSV files beside this script into Rust constants.
 //!
 //! Every file is read strictly: a wrong cell stops the build with file, line and what to do.
-//! Nothing here calls a platform maths function (exp and pow differ in the last bit between
+//! Nothing here calls a platform math function (exp and pow differ in the last bit between
 //! platforms); the transcendental tables, the Planckian locus and its lights, are made in `locus.rs` and
 //! `reference.rs` from the four operations alone.
 

@@ -8,7 +8,7 @@ use crate::table::Table;
 use std::fmt::Write as _;
 
 pub const KNOTS: u32 = 25;
-/// Second radiation constant of the colour temperature scale (ITS-90), in nm K.
+/// Second radiation constant of the color temperature scale (ITS-90), in nm K.
 const C2: f64 = 1.4388e7;
 
 /// The numbers are f32: the same here and where the table is read.

@@ -44,7 +44,7 @@ impl Table {
                 table.lines.push(index + 1);
             }
         }
-        for fact in ["name", "source", "licence", "range_nm", "step_nm"] {
+        for fact in ["name", "source", "license", "range_nm", "step_nm"] {
             if table.fact(fact).is_none() {
                 return Err(format!("{}: no '# {fact}:' line in the header; add it", path.display()));
             }
@@ -61,7 +61,7 @@ impl Table {
         }
         let nm: u16 = cells[0]
             .parse()
-            .map_err(|_| format!("'{}' is not a whole number of nanometres; correct it", cells[0]))?;
+            .map_err(|_| format!("'{}' is not a whole number of nanometers; correct it", cells[0]))?;
         self.wavelengths.push(nm);
         let blank_is_zero = self.fact("note").is_some_and(|note| note.starts_with("blank = not tabulated"));
         for (column, cell) in self.columns.iter_mut().zip(&cells[1..]) {
@@ -153,14 +153,14 @@ impl Table {
         Ok(wide)
     }
 
-    /// Doc lines: what the table is, who published it, under which licence.
+    /// Doc lines: what the table is, who published it, under which license.
     pub fn docs(&self) -> String {
         let fact = |key| self.fact(key).unwrap_or_default();
         let mut docs = format!(
             "/// {}.\n///\n/// # Reference\n/// {}; {}",
             fact("name"),
             fact("source"),
-            fact("licence")
+            fact("license")
         );
         if let Some(doi) = self.fact("doi") {
             docs += &format!("; doi {doi}");

@@ -1,4 +1,4 @@
-//! What a colour means: `colorimetry` for CCT and colour rendering, `palette` in f32 for Lab, CIEDE2000 and sRGB.
+//! What a color means: `colorimetry` for CCT and color rendering, `palette` in f32 for Lab, CIEDE2000 and sRGB.
 
 use crate::race::{Races, each};
 use colorimetry::illuminant::Illuminant;
@@ -84,12 +84,12 @@ fn lab_of_xyz(races: &mut Races) {
     // The white as `palette` has it.
     let white: [f32; 3] = [0.950_47, 1.0, 1.088_83];
     let mut noise = Noise(1);
-    let colours: Vec<[f32; 3]> = (0..1024).map(|_| white.map(|w| w * noise.uniform() as f32)).collect();
-    let theirs: Vec<TheirXyz> = colours.iter().map(|[x, y, z]| TheirXyz::new(*x, *y, *z)).collect();
-    let ours: Vec<Xyz> = colours.iter().map(|c| Xyz::from(*c)).collect();
+    let colors: Vec<[f32; 3]> = (0..1024).map(|_| white.map(|w| w * noise.uniform() as f32)).collect();
+    let theirs: Vec<TheirXyz> = colors.iter().map(|[x, y, z]| TheirXyz::new(*x, *y, *z)).collect();
+    let ours: Vec<Xyz> = colors.iter().map(|c| Xyz::from(*c)).collect();
     let mut worst = [0.0f64; 2];
-    for ((colour, ours), theirs) in colours.iter().zip(&ours).zip(&theirs) {
-        let truth = lab::lab(colour.map(f64::from), white.map(f64::from));
+    for ((color, ours), theirs) in colors.iter().zip(&ours).zip(&theirs) {
+        let truth = lab::lab(color.map(f64::from), white.map(f64::from));
         let (a, b) = (ours.lab(white.into()).expect("a white"), TheirLab::from_color_unclamped(*theirs));
         for (worst, found) in worst.iter_mut().zip([[a.l, a.a, a.b], [b.l, b.a, b.b]]) {
             for (found, truth) in found.iter().zip(truth) {
@@ -113,9 +113,9 @@ fn difference(races: &mut Races) {
     let mut noise = Noise(1);
     let mut pairs = Vec::new();
     for k in 0..1024 {
-        let mut colour =
+        let mut color =
             || [100.0 * noise.uniform(), 200.0 * noise.uniform() - 100.0, 200.0 * noise.uniform() - 100.0];
-        let (one, far) = (colour(), colour());
+        let (one, far) = (color(), color());
         let near = [0, 1, 2].map(|i| one[i] + 0.01 * (far[i] - one[i]));
         pairs.push([one, if k % 2 == 0 { far } else { near }].map(|lab| lab.map(|v| v as f32)));
     }
@@ -143,15 +143,15 @@ fn difference(races: &mut Races) {
 
 fn srgb(races: &mut Races) {
     let mut noise = Noise(1);
-    let colours: Vec<[f32; 3]> = (0..1024).map(|_| [(); 3].map(|()| noise.uniform() as f32)).collect();
-    let ours: Vec<Rgb<Srgb>> = colours.iter().map(|[r, g, b]| Rgb::new(*r, *g, *b)).collect();
-    let theirs: Vec<LinSrgb<f32>> = colours.iter().map(|[r, g, b]| LinSrgb::new(*r, *g, *b)).collect();
+    let colors: Vec<[f32; 3]> = (0..1024).map(|_| [(); 3].map(|()| noise.uniform() as f32)).collect();
+    let ours: Vec<Rgb<Srgb>> = colors.iter().map(|[r, g, b]| Rgb::new(*r, *g, *b)).collect();
+    let theirs: Vec<LinSrgb<f32>> = colors.iter().map(|[r, g, b]| LinSrgb::new(*r, *g, *b)).collect();
     let encode = |rgb: &LinSrgb<f32>| palette::Srgb::<f32>::from_linear(*rgb);
     let mut worst = [0.0f64; 2];
-    for ((colour, ours), theirs) in colours.iter().zip(&ours).zip(&theirs) {
+    for ((color, ours), theirs) in colors.iter().zip(&ours).zip(&theirs) {
         let b = encode(theirs);
         for (worst, found) in worst.iter_mut().zip([ours.encode().to_array(), [b.red, b.green, b.blue]]) {
-            for (found, linear) in found.iter().zip(colour) {
+            for (found, linear) in found.iter().zip(color) {
                 *worst = worst.max((f64::from(*found) - transfer::srgb_encode(f64::from(*linear))).abs());
             }
         }

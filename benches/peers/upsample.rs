@@ -27,16 +27,16 @@ pub fn all(races: &mut Races) {
         (state >> 24) as u8
     };
     let codes: Vec<[u8; 3]> = (0..4096).map(|_| [next(), next(), next()]).collect();
-    let colours: Vec<Rgb<Srgb>> = codes.iter().map(|c| EncodedRgb::<Srgb>::from_u8(*c).decode()).collect();
-    for (code, rgb) in codes.iter().zip(&colours) {
+    let colors: Vec<Rgb<Srgb>> = codes.iter().map(|c| EncodedRgb::<Srgb>::from_u8(*c).decode()).collect();
+    for (code, rgb) in codes.iter().zip(&colors) {
         assert_eq!(viewing.rgb(&sigmoid.reflectance(*rgb).spectrum.on_grid()).encode().to_u8(), *code);
         assert_eq!(viewing.rgb(&basis.reflectance(*rgb)).encode().to_u8(), *code);
     }
 
     let peer = "rgb2spec, 16^3 cells";
-    let theirs = || each(&colours, |rgb| read(rgb.to_array()));
-    let by_sigmoid = each(&colours, |rgb| sigmoid.reflectance(*rgb).spectrum.on_grid::<31, Grid>());
+    let theirs = || each(&colors, |rgb| read(rgb.to_array()));
+    let by_sigmoid = each(&colors, |rgb| sigmoid.reflectance(*rgb).spectrum.on_grid::<31, Grid>());
     races.run("RGB to 31 bands, Sigmoid", None, 1.0, by_sigmoid, (peer, theirs()));
-    let by_basis = each(&colours, |rgb| basis.reflectance(*rgb));
+    let by_basis = each(&colors, |rgb| basis.reflectance(*rgb));
     races.run("RGB to 31 bands, Basis", None, 1.0, by_basis, (peer, theirs()));
 }

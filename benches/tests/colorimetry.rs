@@ -103,7 +103,7 @@ fn color_rendering_indices_are_the_same_but_for_its_straight_samples() {
             assert!((f64::from(found.ra) - expected.ra()).abs() < 0.25, "{found:?}");
             continue;
         }
-        // It joins the 5 nm values of the test colours by straight lines, where CIE 13.3 wants Sprague's.
+        // It joins the 5 nm values of the test colors by straight lines, where CIE 13.3 wants Sprague's.
         ra.value(name, found.ra.into(), expected.ra());
         for (k, (got, expected)) in found.r.iter().zip(expected.to_array()).enumerate() {
             r.value(&format!("{name} R{}", k + 1), (*got).into(), expected);

@@ -90,7 +90,7 @@ fn of_the_exact_methods_the_sigmoid_is_nearest_to_measured_samples() {
     }
 }
 
-/// The crate `rgb2spec`, read at the centres of the bins; its table has 16^3 cells, or as many as
+/// The crate `rgb2spec`, read at the centers of the bins; its table has 16^3 cells, or as many as
 /// `NANOSPECTRA_CELLS=64` says, which takes minutes to make.
 fn peer() -> impl Fn(Rgb<Srgb>) -> Reflectance<81, Grid> {
     let cells =
@@ -98,7 +98,7 @@ fn peer() -> impl Fn(Rgb<Srgb>) -> Reflectance<81, Grid> {
     let table = optimize(Gamut::SRGB, cells).expect("a table");
     move |rgb| {
         let coefficients = table.fetch(rgb.to_array());
-        Reflectance::at_centres(|nm| rgb2spec::eval_precise(coefficients, nm))
+        Reflectance::at_centers(|nm| rgb2spec::eval_precise(coefficients, nm))
     }
 }
 

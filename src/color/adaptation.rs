@@ -1,4 +1,4 @@
-//! Chromatic adaptation: what a colour seen under one white corresponds to under another.
+//! Chromatic adaptation: what a color seen under one white corresponds to under another.
 
 use super::Xyz;
 use super::matrix::{Matrix, apply, apply64, inverse64, product64, rounded, scale_columns64};
@@ -43,7 +43,7 @@ impl Cones for VonKries {
 ///
 /// It is a matter of chromaticity: the first white becomes a light of the second's
 /// chromaticity and its own luminance, so it matters neither what Y the whites are given with
-/// nor what Y the colours have.
+/// nor what Y the colors have.
 ///
 /// # Reference
 /// CIE 160:2004; ICC.1:2022 annex E for Bradford; CIE 248:2022 for CAT16.
@@ -89,7 +89,7 @@ impl Adaptation {
         Self::partial::<C>(from, to, 1.0)
     }
 
-    /// Adaptation of `degree` 0 (none: the colour as it is) to 1 (complete): the responses are
+    /// Adaptation of `degree` 0 (none: the color as it is) to 1 (complete): the responses are
     /// scaled by `degree * to / from + 1 - degree`, for whites of the same luminance.
     ///
     /// `None` as in [`Adaptation::between`].
@@ -115,7 +115,7 @@ impl Adaptation {
         })))
     }
 
-    /// The corresponding colour, on the scale of `color`.
+    /// The corresponding color, on the scale of `color`.
     #[must_use]
     pub const fn apply(&self, color: Xyz) -> Xyz {
         let [x, y, z] = apply(&self.0, color.to_array());

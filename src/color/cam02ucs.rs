@@ -10,7 +10,7 @@ const BACKGROUND: f32 = 0.2;
 const IMPACT: f32 = 0.69;
 const INDUCTION: f32 = 1.0;
 
-/// A colour in CAM02-UCS.
+/// A color in CAM02-UCS.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Cam02Ucs {
     pub(super) j: f32,
@@ -36,7 +36,7 @@ pub(super) struct Viewing {
     achromatic_white: f32,
     /// (1.64 - 0.29^n)^0.73 and F_L^(1/4).
     chroma: f32,
-    colourfulness: f32,
+    colorfulness: f32,
 }
 
 /// The cones of Hunt, Pointer and Estevez, in which responses are compressed.
@@ -58,7 +58,7 @@ impl Viewing {
             exponent: IMPACT * (1.48 + sqrt(BACKGROUND)),
             achromatic_white: 1.0,
             chroma: Portable::powf(1.64 - Portable::powf(0.29, BACKGROUND), 0.73),
-            colourfulness: sqrt(sqrt(luminance)),
+            colorfulness: sqrt(sqrt(luminance)),
         };
         viewing.achromatic_white = viewing.achromatic(viewing.cones(white));
         viewing
@@ -79,7 +79,7 @@ impl Viewing {
         (2.0 * r + g + b / 20.0 - 0.305) * self.contrast
     }
 
-    /// The colour as it appears.
+    /// The color as it appears.
     pub(super) fn appearance(&self, xyz: Xyz) -> Cam02Ucs {
         let [r, g, b] = self.cones(xyz);
         let (red_green, yellow_blue) = (r - 12.0 * g / 11.0 + b / 11.0, (r + g - 2.0 * b) / 9.0);
@@ -97,7 +97,7 @@ impl Viewing {
         let eccentricity = 0.25 * (cos * -0.416_146_84 - sin * 0.909_297_4 + 3.8);
         let t = 50_000.0 / 13.0 * INDUCTION * self.contrast * eccentricity * size / (r + g + 1.05 * b);
         let chroma = Portable::powf(t, 0.9) * sqrt(lightness / 100.0) * self.chroma;
-        let m = Portable::ln(1.0 + 0.0228 * chroma * self.colourfulness) / 0.0228;
+        let m = Portable::ln(1.0 + 0.0228 * chroma * self.colorfulness) / 0.0228;
         Cam02Ucs { j, a: m * cos, b: m * sin }
     }
 }

@@ -1,4 +1,4 @@
-//! Correlated colour temperature and distance from the Planckian locus.
+//! Correlated color temperature and distance from the Planckian locus.
 
 use crate::color::Uv1960;
 use crate::math::sqrt;
@@ -8,24 +8,24 @@ include!(concat!(env!("OUT_DIR"), "/locus.rs"));
 /// Segments of the locus table.
 const SEGMENTS: usize = LOCUS.len() - 1;
 
-/// CIE 15: a correlated colour temperature has no meaning further than this from the locus, with room for the
+/// CIE 15: a correlated color temperature has no meaning further than this from the locus, with room for the
 /// rounding of u and v. (Its radius of curvature goes down to 0.1001 there, and points beyond that have no nearest
 /// one.)
 const MAX_DUV: f32 = 0.05 + 2e-7;
 
-/// The outcome of asking for a correlated colour temperature.
+/// The outcome of asking for a correlated color temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Cct {
-    /// A colour near the locus.
+    /// A color near the locus.
     Near {
         /// Temperature of the nearest black body, K, 1000..=1e6.
         cct_k: f32,
         /// Distance from the locus in the CIE 1960 plane, above it (greenish) positive; |duv| <= 0.05.
         duv: f32,
     },
-    /// Further than 0.05 from the locus: not a white, it has no colour temperature.
+    /// Further than 0.05 from the locus: not a white, it has no color temperature.
     OffLocus,
     /// Redder than a black body of 1000 K.
     TooCold,
@@ -51,7 +51,7 @@ impl Uv1960 {
     /// The temperature of the nearest black body and the distance to it, for a chromaticity of
     /// the CIE 1931 2 degree observer.
     ///
-    /// Planck's law with c2 = 1.4388e-2 m K as colour temperatures are defined: a black body by
+    /// Planck's law with c2 = 1.4388e-2 m K as color temperatures are defined: a black body by
     /// today's constants reads 1.6e-5 of T higher. NaN gives NaN.
     ///
     /// # Accuracy

@@ -27,9 +27,9 @@ impl Default for Parametric {
     }
 }
 
-/// CIEDE2000 colour difference under reference conditions (kL = kC = kH = 1).
+/// CIEDE2000 color difference under reference conditions (kL = kC = kH = 1).
 ///
-/// About 1 is a difference just noticed. Swapping the colours gives the same bits.
+/// About 1 is a difference just noticed. Swapping the colors gives the same bits.
 ///
 /// # Accuracy
 /// 7e-7 relative, and so also for the smallest differences; within the rounding of all 34
@@ -38,7 +38,7 @@ impl Default for Parametric {
 ///
 /// # Reference
 /// ISO/CIE 11664-6:2022; G. Sharma, W. Wu, E. N. Dalal, "The CIEDE2000 color-difference
-/// formula", Color Res. Appl. 30 (2005), with its conventions for opposite hues and greys.
+/// formula", Color Res. Appl. 30 (2005), with its conventions for opposite hues and grays.
 ///
 /// ```
 /// use nanospectra::color::{Lab, ciede2000};
@@ -53,7 +53,7 @@ pub fn ciede2000(x: Lab, y: Lab) -> f32 {
 
 #[cfg(feature = "libm")]
 impl Xyz {
-    /// [`ciede2000`] between two colours seen beside the same `white`; NaN if a component of the white is not above
+    /// [`ciede2000`] between two colors seen beside the same `white`; NaN if a component of the white is not above
     /// zero.
     ///
     /// ```
@@ -74,7 +74,7 @@ impl Xyz {
 /// [`ciede2000`] by the functions of `M`, with parametric factors.
 #[must_use]
 pub fn ciede2000_with<M: Math>(x: Lab, y: Lab, k: Parametric) -> f32 {
-    // Greys are made to differ more in a: a' = (1 + G) a.
+    // Grays are made to differ more in a: a' = (1 + G) a.
     let mean = 0.5 * (x.chroma() + y.chroma());
     let stretch = 1.5 - 0.5 * saturation(mean);
     let difference = polar(x, y, stretch);
@@ -82,7 +82,7 @@ pub fn ciede2000_with<M: Math>(x: Lab, y: Lab, k: Parametric) -> f32 {
 
     let (toward, dh) = mean_hue([stretch * x.a, x.b], [stretch * y.a, y.b], &difference);
     // -1/2 to 1/2 turn, which is a digit more exact than 0 to 1; never by way of -0.0, which the
-    // order of the colours decides.
+    // order of the colors decides.
     let h = M::atan2(toward[1] + 0.0, toward[0]) * (0.5 * core::f32::consts::FRAC_1_PI);
 
     let t = 1.0 - 0.17 * cos_turns(h - 30.0 / 360.0)
@@ -90,8 +90,8 @@ pub fn ciede2000_with<M: Math>(x: Lab, y: Lab, k: Parametric) -> f32 {
         + 0.32 * cos_turns(3.0 * h + 6.0 / 360.0)
         - 0.20 * cos_turns(4.0 * h - 63.0 / 360.0);
     let c = 0.5 * (c1 + c2);
-    let from_grey = (0.5 * (x.l + y.l) - 50.0).abs();
-    let s_l = 1.0 + 0.015 * from_grey / sqrt(1.0 + 20.0 / (from_grey * from_grey));
+    let from_gray = (0.5 * (x.l + y.l) - 50.0).abs();
+    let s_l = 1.0 + 0.015 * from_gray / sqrt(1.0 + 20.0 / (from_gray * from_gray));
     let s_c = 1.0 + 0.045 * c;
     let s_h = 1.0 + 0.015 * c * t;
     // The rotation of the ellipses in the blue, 2 * 30 degrees at the most; the formula means
@@ -116,8 +116,8 @@ fn saturation(chroma: f32) -> f32 {
 ///
 /// The vector bisects the smaller angle, so no angles have to be told to be on one side of hue 0
 /// or the other, and opposite hues are opposite in f32 too, as the published pairs 9 to 14
-/// demand. Exactly opposite ones take the bisector half way from 0 to 360 degrees, and a grey the
-/// hue of the other colour.
+/// demand. Exactly opposite ones take the bisector half way from 0 to 360 degrees, and a gray the
+/// hue of the other color.
 fn mean_hue([a1, b1]: [f32; 2], [a2, b2]: [f32; 2], difference: &Polar) -> ([f32; 2], f32) {
     let &Polar { c1, c2, dh, cross, far, .. } = difference;
     if c1 == 0.0 || c2 == 0.0 {

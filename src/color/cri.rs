@@ -1,4 +1,4 @@
-//! The CIE colour rendering index.
+//! The CIE color rendering index.
 
 use crate::color::reference::{RenderingError, temperature};
 use crate::color::test_colors::{Colors, under, under_reference};
@@ -6,7 +6,7 @@ use crate::color::{Uv1960, Xyz};
 use crate::math::{cbrt, sqrt};
 use crate::spectrum::{Fine, Power};
 
-/// Colour rendering of a light.
+/// Color rendering of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cri {
@@ -14,7 +14,7 @@ pub struct Cri {
     pub ra: f32,
     /// R1..=R14, and R15 (TCS15, Japanese skin). 100 is perfect; there is no lower end.
     pub r: [f32; 15],
-    /// Correlated colour temperature of the light and of its reference, K.
+    /// Correlated color temperature of the light and of its reference, K.
     pub cct_k: f32,
     /// Distance from the Planckian locus.
     pub duv: f32,
@@ -23,7 +23,7 @@ pub struct Cri {
     pub dc: f32,
 }
 
-/// The CIE 1974 test colour method, unrounded.
+/// The CIE 1974 test color method, unrounded.
 ///
 /// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there, above 25000 K by
 /// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer. The sums are
@@ -34,11 +34,11 @@ pub struct Cri {
 /// 380..=780 nm alone, is held on before it is interpolated.
 ///
 /// # Cost
-/// 17 KB of tables, colour-matching functions included; 13,000 multiplications and additions and no exponential, 2.1 us
+/// 17 KB of tables, color-matching functions included; 13,000 multiplications and additions and no exponential, 2.1 us
 /// on an x86-64 host.
 ///
 /// # Errors
-/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no colour.
+/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no color.
 ///
 /// # Reference
 /// CIE 13.3-1995.

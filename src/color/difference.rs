@@ -1,9 +1,9 @@
-//! Colour differences in CIELAB that need no more than a square root.
+//! Color differences in CIELAB that need no more than a square root.
 
 use super::Lab;
 use crate::math::sqrt;
 
-/// What two colours differ by in chroma and hue.
+/// What two colors differ by in chroma and hue.
 pub(super) struct Polar {
     pub(super) c1: f32,
     pub(super) c2: f32,
@@ -18,9 +18,9 @@ pub(super) struct Polar {
     pub(super) far: bool,
 }
 
-/// The chroma and hue difference of two colours whose a counts `stretch` times, from differences
-/// of coordinates rather than of chromas and angles: what two near colours share then cannot
-/// drown what they differ by. Swapping the colours changes signs, and nothing else.
+/// The chroma and hue difference of two colors whose a counts `stretch` times, from differences
+/// of coordinates rather than of chromas and angles: what two near colors share then cannot
+/// drown what they differ by. Swapping the colors changes signs, and nothing else.
 pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
     let (a1, a2, da) = (stretch * x.a, stretch * y.a, stretch * (y.a - x.a));
     let (b1, b2, db) = (x.b, y.b, y.b - x.b);
@@ -28,7 +28,7 @@ pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
     let sum = c1 + c2;
     let dc = if sum == 0.0 { 0.0 } else { ((a1 + a2) * da + (b1 + b2) * db) / sum };
     let dot = a1 * a2 + b1 * b2;
-    // Any colour on the line through both will do here; the one nearest to grey rounds least.
+    // Any color on the line through both will do here; the one nearest to gray rounds least.
     let (a, b) = if c1 < c2 {
         (a1, b1)
     } else if c2 < c1 {
@@ -60,10 +60,10 @@ pub enum Cie94 {
     Textiles,
 }
 
-/// CIE 1976 colour difference, the distance in CIELAB.
+/// CIE 1976 color difference, the distance in CIELAB.
 ///
 /// # Accuracy
-/// 1.5e-7 relative, in whatever order the colours come; zero only for equal ones.
+/// 1.5e-7 relative, in whatever order the colors come; zero only for equal ones.
 ///
 /// ```
 /// use nanospectra::color::{Lab, cie76};
@@ -84,7 +84,7 @@ pub fn hyab(x: Lab, y: Lab) -> f32 {
     (y.l - x.l).abs() + length(0.0, y.a - x.a, y.b - x.b)
 }
 
-/// CIE 1994 colour difference; the weights come from the chroma of the `reference`, so it is
+/// CIE 1994 color difference; the weights come from the chroma of the `reference`, so it is
 /// not symmetric.
 ///
 /// # Accuracy
@@ -102,7 +102,7 @@ pub fn cie94(reference: Lab, sample: Lab, weights: Cie94) -> f32 {
     length((sample.l - reference.l) / k_l, dc / (1.0 + k1 * c1), dh / (1.0 + k2 * c1))
 }
 
-/// CMC(l:c) colour difference; `l` and `c` are 2 and 1 for acceptability, 1 and 1 for
+/// CMC(l:c) color difference; `l` and `c` are 2 and 1 for acceptability, 1 and 1 for
 /// perceptibility. The weights come from the `reference`, so it is not symmetric.
 ///
 /// # Accuracy
@@ -136,7 +136,7 @@ fn cmc_hue_weight(a: f32, b: f32, c: f32) -> f32 {
     const COS_345: f32 = 0.965_925_8;
     const SIN_345: f32 = -0.258_819_05;
     if c == 0.0 {
-        return 0.0; // a grey has no hue, and no weight for it
+        return 0.0; // a gray has no hue, and no weight for it
     }
     // The sector is 181 degrees wide, so it is the union of two half planes: anticlockwise
     // of 164, or clockwise of 345.

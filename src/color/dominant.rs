@@ -10,22 +10,22 @@ const SAME_CUT: f32 = 0.999;
 /// A ray this near to a node of the locus, in radians, may touch it.
 const TOUCH: f32 = 1e-4;
 /// Beyond about 410 and 690 nm the locus folds back on itself; of two cuts there the one nearer to this, in nm,
-/// is the colour that one sees.
+/// is the color that one sees.
 const MIDDLE_NM: f32 = 555.0;
 
-/// The spectral colour that, mixed with white, gives a colour.
+/// The spectral color that, mixed with white, gives a color.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dominant {
     /// Dominant wavelength in nm; for a purple the complementary one, negative: -499.6 nm.
     pub nm: f32,
     /// Excitation purity: the distance from the white over that of the boundary (the spectrum
-    /// locus, or the purple line), 0..=1 for real colours.
+    /// locus, or the purple line), 0..=1 for real colors.
     pub purity: f32,
 }
 
 /// The dominant wavelength and purity of `sample` as seen against `white`; `None` if it is
-/// within 1e-5 of the white, or not a number. The white must be a real colour, inside the locus.
+/// within 1e-5 of the white, or not a number. The white must be a real color, inside the locus.
 ///
 /// The ray from the white through the sample is cut with the spectrum locus of `eye`, straight
 /// between its 1 nm nodes, or with the purple line between its ends.
@@ -66,7 +66,7 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     Some(Dominant { nm: -nm, purity: share(length, purple?) })
 }
 
-/// A purity; what rounding puts beyond a spectral colour's 1 is taken off.
+/// A purity; what rounding puts beyond a spectral color's 1 is taken off.
 fn share(length: f32, reach: f32) -> f32 {
     let purity = length / reach;
     if purity > 1.0 && purity < 1.000_001 { 1.0 } else { purity }

@@ -1,13 +1,13 @@
-//! What to do with a colour the display cannot show. There is no best way; each says what it
+//! What to do with a color the display cannot show. There is no best way; each says what it
 //! keeps.
 
 use super::{Rgb, RgbSpace};
 
-/// A colour brought into the gamut.
+/// A color brought into the gamut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mapped<S> {
-    /// The colour to show.
+    /// The color to show.
     pub rgb: Rgb<S>,
     /// Was it in the gamut, and so is shown as it is?
     pub was_inside: bool,
@@ -40,7 +40,7 @@ impl<S: RgbSpace> Rgb<S> {
         }
     }
 
-    /// Mixed with the grey of its own luminance, no more than needed: keeps the luminance and
+    /// Mixed with the gray of its own luminance, no more than needed: keeps the luminance and
     /// the dominant wavelength. What is brighter than white is white, darker than black black;
     /// NaN stays NaN.
     ///
@@ -53,11 +53,11 @@ impl<S: RgbSpace> Rgb<S> {
     /// ```
     #[must_use]
     pub fn desaturate(self) -> Mapped<S> {
-        let grey = self.luminance();
-        if grey >= 1.0 {
+        let gray = self.luminance();
+        if gray >= 1.0 {
             return self.mapped([1.0; 3]);
         }
-        if grey <= 0.0 {
+        if gray <= 0.0 {
             return self.mapped([0.0; 3]);
         }
         if self.in_gamut() {
@@ -66,13 +66,13 @@ impl<S: RgbSpace> Rgb<S> {
         let mut keep: f32 = 1.0;
         for c in self.to_array() {
             if c > 1.0 {
-                keep = keep.min((1.0 - grey) / (c - grey));
+                keep = keep.min((1.0 - gray) / (c - gray));
             } else if c < 0.0 {
-                keep = keep.min(grey / (grey - c));
+                keep = keep.min(gray / (gray - c));
             }
         }
         // The clamp takes off what rounding leaves beyond the faces.
-        self.mapped(self.to_array().map(|c| (grey + keep * (c - grey)).clamp(0.0, 1.0)))
+        self.mapped(self.to_array().map(|c| (gray + keep * (c - gray)).clamp(0.0, 1.0)))
     }
 
     fn mapped(self, [r, g, b]: [f32; 3]) -> Mapped<S> {

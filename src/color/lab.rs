@@ -17,7 +17,7 @@ const MOST: f32 = 8e34;
 /// What the compressed ratio of black is.
 const OFFSET: f32 = 16.0 / 116.0;
 
-/// A colour in CIE 1976 L\*a\*b\* (CIELAB), relative to a white that goes without saying.
+/// A color in CIE 1976 L\*a\*b\* (CIELAB), relative to a white that goes without saying.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lab {
@@ -35,23 +35,23 @@ pub struct Lab {
 pub struct Lch {
     /// L\*, lightness.
     pub l: f32,
-    /// C\*ab, chroma: the distance from grey.
+    /// C\*ab, chroma: the distance from gray.
     pub c: f32,
-    /// hab, the hue angle in degrees, `0.0 <= h_deg < 360.0`; 0 for a grey.
+    /// hab, the hue angle in degrees, `0.0 <= h_deg < 360.0`; 0 for a gray.
     pub h_deg: f32,
 }
 
 impl Xyz {
-    /// CIELAB relative to `white`, which is on the same scale as the colour (both with Y = 100
+    /// CIELAB relative to `white`, which is on the same scale as the color (both with Y = 100
     /// for a perfect white, or both with Y = 1).
     ///
     /// Negative tristimulus values are on the straight part of the curve and stay finite.
     /// `None` when there is nothing to be relative to: a component of the white is not above
     /// zero, as Z of a red laser beyond 650 nm, where z-bar is zero in the CIE table, or it is so
-    /// small that the colour is 8e34 times as large. NaN stays NaN.
+    /// small that the color is 8e34 times as large. NaN stays NaN.
     ///
     /// # Accuracy
-    /// 4e-5 on real colours, whether near grey or not (`tests/color/spaces.rs`); L\* is exactly
+    /// 4e-5 on real colors, whether near gray or not (`tests/color/spaces.rs`); L\* is exactly
     /// 0 for Y = 0 and 100 for the white.
     ///
     /// # Reference
@@ -60,8 +60,8 @@ impl Xyz {
     /// ```
     /// # use nanospectra::color::Xyz;
     /// let d65 = Xyz::new(95.047, 100.0, 108.883);
-    /// let grey = d65.scaled(0.184_187).lab(d65).ok_or("no white")?;
-    /// assert!((grey.l - 50.0).abs() < 1e-3 && grey.a.abs() < 1e-4 && grey.b.abs() < 1e-4);
+    /// let gray = d65.scaled(0.184_187).lab(d65).ok_or("no white")?;
+    /// assert!((gray.l - 50.0).abs() < 1e-3 && gray.a.abs() < 1e-4 && gray.b.abs() < 1e-4);
     /// # Ok::<(), &str>(())
     /// ```
     #[must_use]
@@ -91,7 +91,7 @@ impl Xyz {
         let compressed = |t| if t > KNEE { cbrt(t) - OFFSET } else { KAPPA / 116.0 * t };
         let [fx, fy, fz] = [x, y, z].map(compressed);
         // A difference of cube roots is the difference of the numbers over the sum of squares of the roots: without
-        // the cancellation that makes near greys uncertain. With one on the straight part, they are far apart.
+        // the cancellation that makes near grays uncertain. With one on the straight part, they are far apart.
         let (a, b) = if x > KNEE && y > KNEE && z > KNEE {
             let [x3, y3, z3] = [fx + OFFSET, fy + OFFSET, fz + OFFSET];
             let squares = |s: f32, t: f32| s * s + s * t + t * t;
@@ -121,13 +121,13 @@ impl Lab {
         }
     }
 
-    /// C\*ab, the distance from grey.
+    /// C\*ab, the distance from gray.
     #[must_use]
     pub fn chroma(self) -> f32 {
         sqrt(self.a * self.a + self.b * self.b)
     }
 
-    /// The polar form. A grey (a = b = 0) has hue 0.
+    /// The polar form. A gray (a = b = 0) has hue 0.
     ///
     /// # Accuracy
     /// 4e-5 degrees (half a unit in the last place near 360), chroma 1.2e-7 relative.
@@ -157,7 +157,7 @@ impl Lch {
     }
 }
 
-/// The angle of (a, b) in turns, 0 to just below 1, and 0 for a grey.
+/// The angle of (a, b) in turns, 0 to just below 1, and 0 for a gray.
 fn hue_turns<M: Math>(a: f32, b: f32) -> f32 {
     if a == 0.0 && b == 0.0 {
         return 0.0; // atan2 tells +0 from -0, a hue must not

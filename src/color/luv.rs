@@ -3,7 +3,7 @@
 use super::Xyz;
 use super::lab::{lightness, luminance};
 
-/// A colour in CIE 1976 L\*u\*v\* (CIELUV), relative to a white that goes without saying.
+/// A color in CIE 1976 L\*u\*v\* (CIELUV), relative to a white that goes without saying.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Luv {
@@ -16,15 +16,15 @@ pub struct Luv {
 }
 
 impl Xyz {
-    /// CIELUV relative to `white`, which is on the same scale as the colour.
+    /// CIELUV relative to `white`, which is on the same scale as the color.
     ///
     /// Black, and anything else without luminance, is (0, 0, 0). `None` when the white has no
-    /// luminance or no chromaticity (a component sum of zero or less), or the colour has none
+    /// luminance or no chromaticity (a component sum of zero or less), or the color has none
     /// and is not black. NaN stays NaN. Unlike CIELAB it has no trouble with a white whose Z
     /// is zero.
     ///
     /// # Accuracy
-    /// 6e-5 on real colours (`tests/color/spaces.rs`).
+    /// 6e-5 on real colors (`tests/color/spaces.rs`).
     ///
     /// # Reference
     /// ISO/CIE 11664-5:2016, with the exact 216/24389 and 24389/27.
@@ -80,7 +80,7 @@ impl Luv {
 
 /// X, Y, Z over X + 15 Y + 3 Z: a quarter of u' is the first, a ninth of v' the second.
 ///
-/// `None` where the sum is not above zero, overflows, or has cancelled: no light is like that.
+/// `None` where the sum is not above zero, overflows, or has canceled: no light is like that.
 fn fractions(color: Xyz) -> Option<[f32; 3]> {
     let sum = color.x + 15.0 * color.y + 3.0 * color.z;
     if sum <= 0.0 || sum.is_infinite() {

@@ -1,4 +1,4 @@
-//! The few 3x3 matrices colour needs: derived once in f64 by the compiler, applied in f32.
+//! The few 3x3 matrices color needs: derived once in f64 by the compiler, applied in f32.
 
 /// Row-major; const evaluation only.
 pub(crate) type Matrix64 = [[f64; 3]; 3];

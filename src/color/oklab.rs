@@ -21,20 +21,20 @@ const FROM_CONES: Matrix = rounded(&inverse64(&TO_CONES));
 const OKLAB: Matrix = rounded(&TO_OKLAB);
 const FROM_OKLAB: Matrix = rounded(&inverse64(&TO_OKLAB));
 
-/// A colour in Oklab: made for D65 and a display whose white has Y = 1.
+/// A color in Oklab: made for D65 and a display whose white has Y = 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Oklab {
     /// L, lightness: 0 black, 1 the white.
     pub l: f32,
-    /// a, from green (negative) to red; within 0.4 for real colours.
+    /// a, from green (negative) to red; within 0.4 for real colors.
     pub a: f32,
     /// b, from blue (negative) to yellow.
     pub b: f32,
 }
 
 impl Xyz {
-    /// Oklab of a colour seen under D65 and scaled to Y = 1 for the white: for the usual
+    /// Oklab of a color seen under D65 and scaled to Y = 1 for the white: for the usual
     /// Y = 100 write `xyz.scaled(0.01).oklab()`.
     ///
     /// NaN stays NaN; components beyond 1e37 in size overflow.

@@ -9,7 +9,7 @@ use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 
-/// A linear RGB colour of space `S`: amounts of the primaries, (1, 1, 1) being white.
+/// A linear RGB color of space `S`: amounts of the primaries, (1, 1, 1) being white.
 ///
 /// Outside the gamut a component is below 0 or above 1; see [`Rgb::clip`] and its fellows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,8 +50,8 @@ impl<S: RgbSpace> Rgb<S> {
         [self.r, self.g, self.b]
     }
 
-    /// The amounts of the primaries for a colour with **Y = 1 for white**; no adaptation, so the
-    /// colour is one seen under the white of the space (see [`Adaptation`](super::Adaptation)).
+    /// The amounts of the primaries for a color with **Y = 1 for white**; no adaptation, so the
+    /// color is one seen under the white of the space (see [`Adaptation`](super::Adaptation)).
     ///
     /// NaN stays NaN; components beyond 1e37 in size overflow.
     ///
@@ -63,7 +63,7 @@ impl<S: RgbSpace> Rgb<S> {
         Rgb::new(r, g, b)
     }
 
-    /// [`Rgb::from_xyz`] of a colour with **Y = 100 for white**, as the rest of the crate has it.
+    /// [`Rgb::from_xyz`] of a color with **Y = 100 for white**, as the rest of the crate has it.
     #[must_use]
     pub const fn from_xyz_y100(color: Xyz) -> Self {
         Self::from_xyz(color.scaled(0.01))
@@ -93,9 +93,9 @@ impl<S: RgbSpace> Rgb<S> {
     ///
     /// ```
     /// use nanospectra::color::{Rgb, Srgb, Xyz};
-    /// // The grey half way to white for the eye (L* = 50, Y = 18.42) is #777777.
-    /// let grey = Rgb::<Srgb>::from_xyz_y100(Xyz::new(17.51, 18.42, 20.06));
-    /// assert_eq!(grey.clip().rgb.encode().to_u8(), [0x77; 3]);
+    /// // The gray half way to white for the eye (L* = 50, Y = 18.42) is #777777.
+    /// let gray = Rgb::<Srgb>::from_xyz_y100(Xyz::new(17.51, 18.42, 20.06));
+    /// assert_eq!(gray.clip().rgb.encode().to_u8(), [0x77; 3]);
     /// ```
     #[cfg(feature = "libm")]
     #[must_use]

@@ -20,7 +20,7 @@ use super::transfer::{self, Transfer};
 ///     const WHITE: [f64; 2] = [0.31006, 0.31616]; // illuminant C
 ///     type Transfer = transfer::Bt1886;
 /// }
-/// let luma = Ntsc1953::TO_XYZ[1]; // the 0.30, 0.59, 0.11 of analogue television
+/// let luma = Ntsc1953::TO_XYZ[1]; // the 0.30, 0.59, 0.11 of analog television
 /// assert!((luma[0] - 0.299).abs() < 5e-4 && (luma[1] - 0.587).abs() < 5e-4);
 /// ```
 pub trait RgbSpace: Copy + Debug + 'static {
@@ -35,7 +35,7 @@ pub trait RgbSpace: Copy + Debug + 'static {
     const TO_XYZ: [[f32; 3]; 3] = rounded(&to_xyz64(&Self::PRIMARIES, Self::WHITE));
     /// XYZ with Y = 1 for white to linear RGB; row-major.
     const FROM_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&to_xyz64(&Self::PRIMARIES, Self::WHITE)));
-    /// The white as a colour, Y = 1: what to adapt to before [`Rgb::from_xyz`](crate::color::Rgb::from_xyz).
+    /// The white as a color, Y = 1: what to adapt to before [`Rgb::from_xyz`](crate::color::Rgb::from_xyz).
     const WHITE_XYZ: Xyz = {
         let [x, y, z] = column(Self::WHITE);
         Xyz { x: x as f32, y: y as f32, z: z as f32 }
@@ -93,7 +93,7 @@ impl RgbSpace for AcesCg {
     type Transfer = transfer::Linear;
 }
 
-/// The colour of chromaticity `xy` with Y = 1.
+/// The color of chromaticity `xy` with Y = 1.
 const fn column(xy: [f64; 2]) -> [f64; 3] {
     [xy[0] / xy[1], 1.0, (1.0 - xy[0] - xy[1]) / xy[1]]
 }

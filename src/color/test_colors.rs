@@ -1,11 +1,11 @@
-//! X, Y, Z of the CIE 13.3 test colours under a light, and under its reference.
+//! X, Y, Z of the CIE 13.3 test colors under a light, and under its reference.
 //!
-//! The method reads the samples, tabulated every 5 nm, by Sprague's interpolation, and sums every nanometre: 45 sums of
-//! 471 products. The order can be turned round: the interpolation's weights spread light times colour-matching function
+//! The method reads the samples, tabulated every 5 nm, by Sprague's interpolation, and sums every nanometer: 45 sums of
+//! 471 products. The order can be turned round: the interpolation's weights spread light times color-matching function
 //! onto the nodes, once for all samples, and a sum has 99 products. The numbers are the same but for rounding, for
 //! half of the work, and 6 KB of samples in place of 28.
 //!
-//! A reference is a sum of a few spectra, so its colours are the same sum of theirs, which the compiler works out:
+//! A reference is a sum of a few spectra, so its colors are the same sum of theirs, which the compiler works out:
 //! three spectra for daylight, a Chebyshev series of ten for a black body.
 
 use crate::light::{S0, S1, S2, daylight_factors};
@@ -52,7 +52,7 @@ static SAMPLES: [[f32; 16]; NODES] = {
 /// Shares of the six nodes around, 1 to 4 nm after a node.
 const SHARES: [[f32; 6]; 4] = [quintic(0.2), quintic(0.4), quintic(0.6), quintic(0.8)];
 
-/// The colours under a light.
+/// The colors under a light.
 pub(super) fn under(light: &Fine<Power>) -> Colors {
     let mut colors = [[0.0; 16]; 3];
     for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {
@@ -63,7 +63,7 @@ pub(super) fn under(light: &Fine<Power>) -> Colors {
     colors
 }
 
-/// What a product of each nanometre comes to on the nodes (and nothing on five more).
+/// What a product of each nanometer comes to on the nodes (and nothing on five more).
 fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
     // From node to node, behind five cells of zeros.
     let mut cells = [[0.0; 5]; 112];
@@ -84,7 +84,7 @@ fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
     nodes
 }
 
-/// The colours under the reference of this temperature: a black body below 5000 K, and CIE daylight from there.
+/// The colors under the reference of this temperature: a black body below 5000 K, and CIE daylight from there.
 pub(super) fn under_reference(cct_k: f32) -> Colors {
     if cct_k < 5000.0 {
         let mired = 1e6 / cct_k;
@@ -144,7 +144,7 @@ static DAYLIGHT_COLORS: [Colors; 3] = {
     colors(&lights, &CIE_1931, &TCS)
 };
 
-/// The sums at every nanometre, in f64 by the compiler.
+/// The sums at every nanometer, in f64 by the compiler.
 const fn colors<const M: usize>(
     lights: &[[f64; 471]; M],
     eye: &FineObserver<3>,

@@ -1,4 +1,4 @@
-//! Colour fidelity and gamut after ANSI/IES TM-30-18 (fidelity: CIE 224).
+//! Color fidelity and gamut after ANSI/IES TM-30-18 (fidelity: CIE 224).
 
 use crate::color::Xyz;
 use crate::color::cam02ucs::{Cam02Ucs, Viewing};
@@ -8,7 +8,7 @@ use crate::observer::{CIE_1931, CIE_1964, FineObserver};
 use crate::spectrum::{Factor, Fine, Power};
 use crate::test_samples::CES;
 
-/// How a light renders the 99 colour evaluation samples.
+/// How a light renders the 99 color evaluation samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tm30 {
@@ -20,7 +20,7 @@ pub struct Tm30 {
     pub rf_ces: [f32; 99],
     /// The 16 hue bins, counter-clockwise from a' > 0; `None` for one that holds no sample.
     pub bins: [Option<HueBin>; 16],
-    /// Correlated colour temperature, K.
+    /// Correlated color temperature, K.
     pub cct_k: f32,
     /// Distance from the Planckian locus.
     pub duv: f32,
@@ -42,7 +42,7 @@ pub struct HueBin {
 
 /// The TM-30-18 method, unrounded.
 ///
-/// CIE 1964 observer, sums over 380..=780 nm at 1 nm (also for the colour temperature, which is on
+/// CIE 1964 observer, sums over 380..=780 nm at 1 nm (also for the color temperature, which is on
 /// the CIE 1931 observer); CAM02-UCS; between 4000 and 5000 K the reference is a mixture of black
 /// body and daylight of equal Y.
 ///
@@ -54,7 +54,7 @@ pub struct HueBin {
 /// 159 KB of samples; some 600 inner products of 401 terms.
 ///
 /// # Errors
-/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no colour.
+/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no color.
 ///
 /// # Reference
 /// ANSI/IES TM-30-18; CIE 224:2017.
@@ -179,10 +179,10 @@ impl Bin {
     }
 }
 
-/// Area of the polygon of the bins' mean colours; a bin without samples has no corner.
-fn area(bins: &[Bin; 16], colour: fn(&Bin) -> [f32; 2]) -> f32 {
+/// Area of the polygon of the bins' mean colors; a bin without samples has no corner.
+fn area(bins: &[Bin; 16], color: fn(&Bin) -> [f32; 2]) -> f32 {
     let mut corners = bins.iter().filter(|bin| bin.count > 0).map(|bin| {
-        let [a, b] = colour(bin);
+        let [a, b] = color(bin);
         [a / f32::from(bin.count), b / f32::from(bin.count)]
     });
     let Some(first) = corners.next() else { return 0.0 };

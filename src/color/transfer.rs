@@ -2,7 +2,7 @@
 //!
 //! Each is a type, so a program has only those it names. `decode` is from the code value to
 //! linear light and `encode` the way back; 1 is white, unless it says otherwise. Except for
-//! [`Pq`] they are odd: `encode(-x) == -encode(x)`, which keeps colours outside the gamut. NaN
+//! [`Pq`] they are odd: `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN
 //! stays NaN, and no finite number becomes NaN.
 
 #[cfg(feature = "libm")]

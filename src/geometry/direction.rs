@@ -110,7 +110,7 @@ impl Direction {
         self.theta_rad_with::<crate::math::Portable>()
     }
 
-    /// [`theta_rad`](Self::theta_rad) on another maths backend.
+    /// [`theta_rad`](Self::theta_rad) on another math backend.
     #[must_use]
     pub fn theta_rad_with<M: Math>(self) -> f32 {
         M::atan2(self.sin_theta(), self.z)
@@ -126,7 +126,7 @@ impl Direction {
         self.phi_rad_with::<crate::math::Portable>()
     }
 
-    /// [`phi_rad`](Self::phi_rad) on another maths backend.
+    /// [`phi_rad`](Self::phi_rad) on another math backend.
     #[must_use]
     pub fn phi_rad_with<M: Math>(self) -> f32 {
         // Zeros without sign, or the pole would have the azimuth pi.

@@ -8,7 +8,7 @@ use crate::math::Portable;
 const C1_1024: f32 = 105_785.87;
 /// Second radiation constant, h c / k, in nm K (CODATA 2018; the exact number is 0.22 less).
 const C2_NM: f32 = 14_387_769.0;
-/// The value that colour temperatures are defined with (ITS-90), in nm K: 1.6e-5 higher.
+/// The value that color temperatures are defined with (ITS-90), in nm K: 1.6e-5 higher.
 #[cfg(feature = "libm")]
 pub(crate) const C2_COLOR_NM: f32 = 14_388_000.0;
 /// Stefan's constant, W m-2 K-4.
@@ -38,10 +38,10 @@ pub fn blackbody(nm: f32, kelvin: f32) -> f32 {
     blackbody_with::<Portable>(nm, kelvin)
 }
 
-/// [`blackbody`] on another maths backend.
+/// [`blackbody`] on another math backend.
 #[must_use]
 pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
-    // Units of 1024 nm: near the micrometre the fifth power stays in range from gamma rays to radio, and
+    // Units of 1024 nm: near the micrometer the fifth power stays in range from gamma rays to radio, and
     // a power of two costs no rounding, which would count five times.
     let length = nm * (1.0 / 1024.0);
     let x = C2_NM / (nm * kelvin);
@@ -71,7 +71,7 @@ pub fn blackbody_relative(nm: f32, kelvin: f32) -> f32 {
     relative::<Portable>(nm, kelvin, C2_NM)
 }
 
-/// [`blackbody_relative`] on another maths backend.
+/// [`blackbody_relative`] on another math backend.
 #[must_use]
 pub fn blackbody_relative_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
     relative::<M>(nm, kelvin, C2_NM)

@@ -1,4 +1,4 @@
-//! CIE daylight of any correlated colour temperature.
+//! CIE daylight of any correlated color temperature.
 
 use crate::grid::Nodes;
 use crate::light::{S0, S1, S2};

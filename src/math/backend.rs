@@ -1,4 +1,4 @@
-//! What a maths backend has to provide.
+//! What a math backend has to provide.
 
 /// Elementary functions on `f32`, as associated functions of a zero-sized type.
 ///

@@ -6,7 +6,7 @@ use micromath::F32Ext;
 /// `micromath`'s approximations.
 ///
 /// # Accuracy
-/// Not for colour: exp is off by 2.4e-3, ln by 0.12, the square root by 6.1 %, the cube root by 3.9 %, powf by
+/// Not for color: exp is off by 2.4e-3, ln by 0.12, the square root by 6.1 %, the cube root by 3.9 %, powf by
 /// 5 % in sRGB (twelve 8-bit codes) and 69 % at worst. Use it to see what the default backend buys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Micromath;

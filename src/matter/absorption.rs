@@ -1,4 +1,4 @@
-//! Volumes that absorb: coloured glass, dyed water, wine. Beer and Lambert's law, band by band.
+//! Volumes that absorb: colored glass, dyed water, wine. Beer and Lambert's law, band by band.
 
 use crate::grid::{Bins, Grid, by_fields};
 use crate::math::Math;
@@ -83,7 +83,7 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
         Self::from_transmittance_with::<Portable>(plate, thickness_m)
     }
 
-    /// [`from_transmittance`](Self::from_transmittance) on another maths backend.
+    /// [`from_transmittance`](Self::from_transmittance) on another math backend.
     ///
     /// # Errors
     /// As there.
@@ -122,7 +122,7 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
     /// ```
     pub fn from_molar(l_per_mol_cm: [f32; N], mol_per_l: f32) -> Result<Self, AbsorberError> {
         amount(mol_per_l)?;
-        // 100 cm in a metre; ln 10 from base 10 to base e.
+        // 100 cm in a meter; ln 10 from base 10 to base e.
         Self::from_per_m(l_per_mol_cm.map(|epsilon| epsilon * mol_per_l * (100.0 * core::f32::consts::LN_10)))
     }
 
@@ -149,7 +149,7 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
         Absorber { per_m: self.per_m.map(|sigma| depth(sigma, k)), grid: self.grid }
     }
 
-    /// The share that comes through `path_m` metres, 0..=1: exp(-sigma d).
+    /// The share that comes through `path_m` meters, 0..=1: exp(-sigma d).
     ///
     /// Nothing is lost on a path of 0, and nothing by a clear medium of any length. A negative path is none: NaN.
     ///
@@ -162,13 +162,13 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
         self.transmittance_with::<Portable>(path_m)
     }
 
-    /// [`transmittance`](Self::transmittance) on another maths backend.
+    /// [`transmittance`](Self::transmittance) on another math backend.
     #[must_use]
     pub fn transmittance_with<M: Math>(&self, path_m: f32) -> Spectrum<Factor, N, G> {
         Spectrum::from_bins(self.per_m.map(|sigma| M::exp(-depth(sigma, path_m))))
     }
 
-    /// The share that stays in `path_m` metres, 0..=1: 1 - exp(-sigma d), also where that is 1e-20.
+    /// The share that stays in `path_m` meters, 0..=1: 1 - exp(-sigma d), also where that is 1e-20.
     ///
     /// # Accuracy
     /// 2 units of 2^-24, relative.
@@ -178,7 +178,7 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
         self.absorbed_with::<Portable>(path_m)
     }
 
-    /// [`absorbed`](Self::absorbed) on another maths backend.
+    /// [`absorbed`](Self::absorbed) on another math backend.
     #[must_use]
     pub fn absorbed_with<M: Math>(&self, path_m: f32) -> Spectrum<Factor, N, G> {
         Spectrum::from_bins(self.per_m.map(|sigma| -M::expm1(-depth(sigma, path_m))))

@@ -19,7 +19,7 @@ pub(super) struct Tilted {
     first: f32,
     /// n cos(theta) in the film; its size where it is imaginary.
     pub(super) film: Double,
-    /// The wave in the film fades instead of travelling.
+    /// The wave in the film fades instead of traveling.
     pub(super) fades: bool,
     /// n cos(theta) in the last medium; `None` where nothing travels there.
     last: Option<f32>,
@@ -106,7 +106,7 @@ impl Tilted {
     }
 }
 
-/// Tilted admittances of one polarisation.
+/// Tilted admittances of one polarization.
 #[derive(Clone, Copy)]
 pub(super) struct Faces {
     first: f32,
@@ -192,7 +192,7 @@ pub(super) struct Edge {
     pub(super) nm: f32,
     /// Phase of a round trip.
     pub(super) turns: Double,
-    /// Turns that a nanometre less adds.
+    /// Turns that a nanometer less adds.
     pub(super) slope: f32,
 }
 

@@ -6,10 +6,10 @@ use crate::geometry::gauss_legendre::nodes_and_weights;
 /// Cosines and weights: 8 points on 0..=1.
 static COSINES: [(f32, f32); 8] = nodes_and_weights();
 
-/// Reflectance for unpolarised light at the cosine `cos` in the medium outside, of a surface with the index `eta` >= 1
+/// Reflectance for unpolarized light at the cosine `cos` in the medium outside, of a surface with the index `eta` >= 1
 /// of the inside over the outside.
 pub(super) fn fresnel(eta: f32, cos: f32) -> f32 {
-    Dielectric::new(eta).fresnel(cos).unpolarised()
+    Dielectric::new(eta).fresnel(cos).unpolarized()
 }
 
 /// The range of `eta` that the means are for.

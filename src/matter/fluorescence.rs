@@ -8,7 +8,7 @@ use crate::sum::rows;
 use core::array::from_ref;
 use core::marker::PhantomData;
 
-/// One dye: a surface (or a filter) that reflects as any other, and besides glows in its own colour, however it was
+/// One dye: a surface (or a filter) that reflects as any other, and besides glows in its own color, however it was
 /// excited (Kasha's and Vavilov's rules).
 ///
 /// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`: two numbers more
@@ -247,7 +247,7 @@ impl<const N: usize, G> Priced for Dye<N, G> {
     const AGAIN: usize = 2 * N;
 }
 
-/// The centre of bin `k`, in nm.
+/// The center of bin `k`, in nm.
 pub(super) const fn wavelength<const N: usize, G: Grid>(k: usize) -> f64 {
     Layout::<G, N>::START + (k as f64 + 0.5) * Layout::<G, N>::WIDTH
 }

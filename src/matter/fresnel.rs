@@ -3,7 +3,7 @@
 use crate::math::sqrt;
 use crate::matter::complex::Complex;
 
-/// One number for each plane of polarisation.
+/// One number for each plane of polarization.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Components {
@@ -20,9 +20,9 @@ impl Components {
         Components { s: value, p: value }
     }
 
-    /// The mean: what holds for unpolarised light.
+    /// The mean: what holds for unpolarized light.
     #[must_use]
-    pub const fn unpolarised(self) -> f32 {
+    pub const fn unpolarized(self) -> f32 {
         0.5 * (self.s + self.p)
     }
 }

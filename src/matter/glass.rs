@@ -10,11 +10,11 @@ pub trait Glass {
     /// where the formula gives no index, and for wavelengths that are none.
     fn index(&self, nm: f32) -> Option<f32>;
 
-    /// The index at the centre of each bin; `None` if one of them has none.
+    /// The index at the center of each bin; `None` if one of them has none.
     fn indices<const N: usize, G: Grid>(&self) -> Option<Spectrum<Index, N, G>> {
         let mut indices = Spectrum::from_bins([0.0; N]);
         for (k, index) in indices.values_mut().iter_mut().enumerate() {
-            *index = self.index(Spectrum::<Index, N, G>::centre_nm(k))?;
+            *index = self.index(Spectrum::<Index, N, G>::center_nm(k))?;
         }
         Some(indices)
     }

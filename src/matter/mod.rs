@@ -1,5 +1,5 @@
 //! What light meets, and what leaves: surfaces that reflect and refract, and their BRDFs; thin films; volumes
-//! that absorb and scatter; matter that fluoresces, glows on or polarises; and the reflectances that colour rendering
+//! that absorb and scatter; matter that fluoresces, glows on or polarizes; and the reflectances that color rendering
 //! is judged by.
 
 mod brdf;
@@ -26,7 +26,7 @@ mod subsurface;
 mod donaldson;
 mod fluorescence;
 mod phosphorescence;
-mod polarisation;
+mod polarization;
 
 pub use crate::test_samples::{CES, TCS};
 
@@ -57,4 +57,4 @@ pub use donaldson::Donaldson;
 pub(crate) use donaldson::applied;
 pub use fluorescence::{Dye, FluorescenceError};
 pub use phosphorescence::Phosphor;
-pub use polarisation::{Mirror, Mueller, Polariser, Retarder};
+pub use polarization::{Mirror, Mueller, Polarizer, Retarder};

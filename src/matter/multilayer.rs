@@ -32,7 +32,7 @@ pub struct Layer {
 
 /// `L` layers on a substrate, as one wavelength meets them; what disperses makes one for each wavelength.
 ///
-/// Coherent throughout: a substrate of millimetres belongs behind the stack (as `substrate`) or into a filter of
+/// Coherent throughout: a substrate of millimeters belongs behind the stack (as `substrate`) or into a filter of
 /// its own, not among the layers.
 ///
 /// ```
@@ -66,7 +66,7 @@ impl Medium {
 }
 
 impl<const L: usize> Stack<L> {
-    /// What becomes of light of one wavelength: s and p polarised. NaN where an index or a thickness is out of its
+    /// What becomes of light of one wavelength: s and p polarized. NaN where an index or a thickness is out of its
     /// range.
     ///
     /// `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
@@ -89,7 +89,7 @@ impl<const L: usize> Stack<L> {
         self.at_with::<Portable>(nm, cos_theta)
     }
 
-    /// [`at`](Self::at) on another maths backend.
+    /// [`at`](Self::at) on another math backend.
     #[must_use]
     pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
         let media = Medium { n: self.incident, k: 0.0 }.is_some() && self.substrate.is_some();
@@ -104,7 +104,7 @@ impl<const L: usize> Stack<L> {
         let first = self.incident * cos;
         let across = self.incident * self.incident * (1.0 - cos) * (1.0 + cos);
         let last = tilted(self.substrate, self.incident, first, across);
-        // Fields per polarisation (s: electric and magnetic; p: the other way round), from the last face upwards.
+        // Fields per polarization (s: electric and magnetic; p: the other way round), from the last face upwards.
         let mut waves = [last, last * self.substrate.square().inverse()]
             .map(|end| Wave { fields: [ONE, end], arriving: end.re });
         for layer in self.layers.iter().rev() {
@@ -202,7 +202,7 @@ impl Crossing {
     }
 }
 
-/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarised light, of stacks that may change
+/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light, of stacks that may change
 /// with the wavelength in nm, which is what `stack` is given.
 ///
 /// `cos_theta` as in [`Stack::at`]. Each bin is read in `panels` pieces of three points: ten for each fringe in a bin
@@ -230,7 +230,7 @@ pub fn stack_bins<const L: usize, const N: usize, G: Grid>(
     stack_bins_with::<Portable, L, N, G>(stack, cos_theta, panels, share)
 }
 
-/// [`stack_bins`] on another maths backend.
+/// [`stack_bins`] on another math backend.
 #[must_use]
 pub fn stack_bins_with<M: Math, const L: usize, const N: usize, G: Grid>(
     stack: impl Fn(f32) -> Stack<L>,

@@ -51,17 +51,17 @@ pub const fn rayleigh_cross_section(nm: f32, co2_ppm: f32) -> f32 {
     // Carbon dioxide refracts 0.54 more than the air it replaces.
     let r = air_refractivity(nm) * (1.0 + 0.54e-6 * (co2_ppm - 300.0));
     // (n^2 - 1) / (n^2 + 2) over the number of molecules; n is too near 1 to be squared.
-    let polarisability = r * (2.0 + r) / ((3.0 + r * (2.0 + r)) * MOLECULES_1E31_PER_M3);
+    let polarizability = r * (2.0 + r) / ((3.0 + r * (2.0 + r)) * MOLECULES_1E31_PER_M3);
     // 24 pi^3; the square below is in 1e-62 m6, and lambda^4 in 1e-24 m4.
     const TWENTY_FOUR_PI_CUBED: f32 = 744.150_7;
     let um = 1e-3 * nm;
     let square = um * um;
-    TWENTY_FOUR_PI_CUBED * polarisability * polarisability / (square * square)
+    TWENTY_FOUR_PI_CUBED * polarizability * polarizability / (square * square)
         * king_factor(nm, co2_ppm)
         * 1e-7
 }
 
-/// What a metre of air at 288.15 K and 101325 Pa, with 360 ppm CO2, scatters out of a beam, in 1/m: 1.149e-5 at 550
+/// What a meter of air at 288.15 K and 101325 Pa, with 360 ppm CO2, scatters out of a beam, in 1/m: 1.149e-5 at 550
 /// nm. Proportional to the density.
 ///
 /// # Accuracy
@@ -76,7 +76,7 @@ pub const fn rayleigh_per_m(nm: f32) -> f32 {
 /// `cos_theta` -1..=1: the cosine of the angle by which light turns; `king_factor` 1..=2.
 ///
 /// # Reference
-/// Chandrasekhar's phase function with the depolarisation rho = 6 (F - 1) / (7 F + 3).
+/// Chandrasekhar's phase function with the depolarization rho = 6 (F - 1) / (7 F + 3).
 ///
 /// ```
 /// # use nanospectra::matter::rayleigh_phase;

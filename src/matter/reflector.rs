@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use crate::matter::fresnel::{Conductor, Dielectric};
 use crate::spectrum::{Factor, Index, Spectrum};
 
-/// The share of unpolarised light that a smooth boundary reflects at a cosine of incidence.
+/// The share of unpolarized light that a smooth boundary reflects at a cosine of incidence.
 ///
 /// A plain number or a [`Reflectance`](crate::Reflectance) is one that does not depend on the angle: 1.0 for the
 /// perfect mirror.
@@ -45,7 +45,7 @@ impl Reflector for Dielectric {
     type Value = f32;
 
     fn reflectance(&self, cos_i: f32) -> f32 {
-        self.fresnel(cos_i).unpolarised()
+        self.fresnel(cos_i).unpolarized()
     }
 }
 
@@ -53,7 +53,7 @@ impl Reflector for Conductor {
     type Value = f32;
 
     fn reflectance(&self, cos_i: f32) -> f32 {
-        self.fresnel(cos_i).unpolarised()
+        self.fresnel(cos_i).unpolarized()
     }
 }
 

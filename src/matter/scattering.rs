@@ -38,7 +38,7 @@ impl<B: Brdf, H: Hemisphere> Quadrature<B> for H {
 /// ```
 /// # use nanospectra::{Light, Reflectance, matter::{Lambert, scattering::scattered}};
 /// # use nanospectra::geometry::{Direction, GaussLegendre};
-/// // A sky that is bright above and dark at the horizon, on grey paper.
+/// // A sky that is bright above and dark at the horizon, on gray paper.
 /// let paper = Lambert(Reflectance::<16>::flat(0.6));
 /// let sky = |wi: Direction| Light::<16>::flat(wi.cos_theta());
 /// let lo = scattered(&paper, Direction::NORMAL, &GaussLegendre::<4, 1>, sky);

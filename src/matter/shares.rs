@@ -26,7 +26,7 @@ impl Shares {
     /// Of what is no film.
     pub(super) const NAN: Self = Shares { reflected: f32::NAN, transmitted: f32::NAN, absorbed: f32::NAN };
 
-    /// The mean of both polarisations: unpolarised light.
+    /// The mean of both polarizations: unpolarized light.
     #[must_use]
     pub fn mean([s, p]: [Self; 2]) -> Self {
         s.plus(p).times(0.5)
@@ -77,7 +77,7 @@ impl Shares {
     }
 }
 
-/// A pair of spectra, of s and p polarised light, from what lies between the edges of each bin.
+/// A pair of spectra, of s and p polarized light, from what lies between the edges of each bin.
 pub(super) fn bins<const N: usize, G: Grid>(
     mut between: impl FnMut(f32, f32) -> [f32; 2],
 ) -> [Spectrum<Factor, N, G>; 2] {

@@ -1,4 +1,4 @@
-//! A pane of glass that absorbs: a coloured window, with both of its faces and all that goes to and fro in it.
+//! A pane of glass that absorbs: a colored window, with both of its faces and all that goes to and fro in it.
 
 use crate::grid::{Bins, Grid, by_fields};
 #[cfg(feature = "libm")]
@@ -69,7 +69,7 @@ impl<const N: usize, G: Grid> Slab<N, G> {
         Self::from_transmittance_with::<Portable>(external, index, thickness_m)
     }
 
-    /// [`from_transmittance`](Self::from_transmittance) on another maths backend.
+    /// [`from_transmittance`](Self::from_transmittance) on another math backend.
     ///
     /// # Errors
     /// As there.
@@ -83,7 +83,7 @@ impl<const N: usize, G: Grid> Slab<N, G> {
         Ok(Slab { index, absorber, thickness_m })
     }
 
-    /// The share of unpolarised light that comes back, 0..=1, at the cosine of the angle of incidence (outside
+    /// The share of unpolarized light that comes back, 0..=1, at the cosine of the angle of incidence (outside
     /// 0..=1: the nearer end).
     #[cfg(feature = "libm")]
     #[must_use]
@@ -91,26 +91,26 @@ impl<const N: usize, G: Grid> Slab<N, G> {
         self.reflectance_with::<Portable>(cos_theta)
     }
 
-    /// [`reflectance`](Self::reflectance) on another maths backend.
+    /// [`reflectance`](Self::reflectance) on another math backend.
     #[must_use]
     pub fn reflectance_with<M: Math>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
         self.mean::<M>(cos_theta, |shares| shares.reflected)
     }
 
-    /// The share of unpolarised light that gets through, 0..=1: the external transmittance.
+    /// The share of unpolarized light that gets through, 0..=1: the external transmittance.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn transmittance(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
         self.transmittance_with::<Portable>(cos_theta)
     }
 
-    /// [`transmittance`](Self::transmittance) on another maths backend.
+    /// [`transmittance`](Self::transmittance) on another math backend.
     #[must_use]
     pub fn transmittance_with<M: Math>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
         self.mean::<M>(cos_theta, |shares| shares.transmitted)
     }
 
-    /// The share of unpolarised light that stays and heats the slab, 0..=1: by a formula of its own, which holds
+    /// The share of unpolarized light that stays and heats the slab, 0..=1: by a formula of its own, which holds
     /// where 1 - R - T is all rounding.
     #[cfg(feature = "libm")]
     #[must_use]
@@ -118,20 +118,20 @@ impl<const N: usize, G: Grid> Slab<N, G> {
         self.absorbed_with::<Portable>(cos_theta)
     }
 
-    /// [`absorbed`](Self::absorbed) on another maths backend.
+    /// [`absorbed`](Self::absorbed) on another math backend.
     #[must_use]
     pub fn absorbed_with<M: Math>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
         self.mean::<M>(cos_theta, |shares| shares.absorbed)
     }
 
-    /// One of the shares for s and for p polarised light, in this order.
+    /// One of the shares for s and for p polarized light, in this order.
     ///
-    /// A tilted window is a weak polariser for what lies behind it. As a [`Polariser`](crate::matter::Polariser) its
-    /// intensities are exact, and light that arrives polarised askew keeps a little too much of that (1 % at
+    /// A tilted window is a weak polarizer for what lies behind it. As a [`Polarizer`](crate::matter::Polarizer) its
+    /// intensities are exact, and light that arrives polarized askew keeps a little too much of that (1 % at
     /// Brewster's angle of n = 1.5), because the beams that went to and fro lost some.
     ///
     /// ```
-    /// use nanospectra::matter::{Absorber, Polariser, Slab};
+    /// use nanospectra::matter::{Absorber, Polarizer, Slab};
     /// use nanospectra::{Light, Spectrum};
     /// let clear = Absorber::<16>::from_per_m([0.0; 16])?;
     /// let pane = Slab { index: Spectrum::flat(1.5), absorber: clear, thickness_m: 4e-3 };
@@ -139,8 +139,8 @@ impl<const N: usize, G: Grid> Slab<N, G> {
     /// let [s, p] = pane.components(0.554_700_2, |shares| shares.transmitted);
     /// assert!((p.values()[0] - 1.0).abs() < 1e-6 && (s.values()[0] - 0.742_27).abs() < 1e-5);
     /// // Its s axis lies along the reference direction, p a quarter of a turn from it.
-    /// let tilted = Polariser::new(&p, &s, 0.25);
-    /// let [i, q, ..] = Light::flat(1.0).polarised().through(&tilted).stokes_at(0);
+    /// let tilted = Polarizer::new(&p, &s, 0.25);
+    /// let [i, q, ..] = Light::flat(1.0).polarized().through(&tilted).stokes_at(0);
     /// assert!((q / i + 0.147_93).abs() < 1e-5);
     /// # Ok::<(), nanospectra::matter::AbsorberError>(())
     /// ```
@@ -150,7 +150,7 @@ impl<const N: usize, G: Grid> Slab<N, G> {
         self.components_with::<Portable>(cos_theta, pick)
     }
 
-    /// [`components`](Self::components) on another maths backend.
+    /// [`components`](Self::components) on another math backend.
     #[must_use]
     pub fn components_with<M: Math>(
         &self,
@@ -172,7 +172,7 @@ impl<const N: usize, G: Grid> Slab<N, G> {
         Spectrum::from_bins(values)
     }
 
-    /// What becomes of s and p polarised light, bin by bin.
+    /// What becomes of s and p polarized light, bin by bin.
     fn shares<M: Math>(&self, cos_theta: f32) -> impl Iterator<Item = [Shares; 2]> {
         self.index.values().iter().zip(self.absorber.per_m()).map(move |(index, sigma)| {
             let face = Dielectric::new(*index);

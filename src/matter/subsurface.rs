@@ -48,7 +48,7 @@ impl SearchLight {
     }
 }
 
-/// Burley's normalised diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A and a distance d
+/// Burley's normalized diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A and a distance d
 /// for each bin. Its integral over the surface is A, whatever d.
 ///
 /// Lengths are in m (or in any one unit). Where d is 0, light leaves where it entered: Lambert.
@@ -97,7 +97,7 @@ impl<const N: usize, G: Grid> Burley<N, G> {
     }
 
     /// r R(r), in 1/m, at `r` >= 0 from where light entered. (R itself is infinite at r = 0; 2 pi times this is what
-    /// leaves from a ring, for each metre of its width.)
+    /// leaves from a ring, for each meter of its width.)
     ///
     /// A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing leaves). A negative `r` gives NaN.
     ///
@@ -109,7 +109,7 @@ impl<const N: usize, G: Grid> Burley<N, G> {
         self.times_radius_with::<Portable>(r)
     }
 
-    /// [`times_radius`](Self::times_radius) on another maths backend.
+    /// [`times_radius`](Self::times_radius) on another math backend.
     #[must_use]
     pub fn times_radius_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
         self.each(r, |albedo, d| {
@@ -121,7 +121,7 @@ impl<const N: usize, G: Grid> Burley<N, G> {
         })
     }
 
-    /// What leaves within `r` >= 0 of where light entered: the integral of the profile over that disc, 0..=albedo.
+    /// What leaves within `r` >= 0 of where light entered: the integral of the profile over that disk, 0..=albedo.
     ///
     /// A bin with d = 0 gives its albedo at any `r`. A negative `r` gives NaN.
     ///
@@ -133,7 +133,7 @@ impl<const N: usize, G: Grid> Burley<N, G> {
         self.within_with::<Portable>(r)
     }
 
-    /// [`within`](Self::within) on another maths backend.
+    /// [`within`](Self::within) on another math backend.
     #[must_use]
     pub fn within_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
         self.each(r, |albedo, d| {
@@ -162,7 +162,7 @@ pub fn burley_distance(share: f32) -> f32 {
     burley_distance_with::<Portable>(share)
 }
 
-/// [`burley_distance`] on another maths backend.
+/// [`burley_distance`] on another math backend.
 #[must_use]
 pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
     if !(0.0..=1.0).contains(&share) {
@@ -248,7 +248,7 @@ impl<const N: usize, G: Grid> Dipole<N, G> {
         self.reflectance_with::<Portable>()
     }
 
-    /// [`reflectance`](Self::reflectance) on another maths backend.
+    /// [`reflectance`](Self::reflectance) on another math backend.
     #[must_use]
     pub fn reflectance_with<M: Math>(&self) -> Reflectance<N, G> {
         self.each(|albedo, decay, _| {
@@ -267,7 +267,7 @@ impl<const N: usize, G: Grid> Dipole<N, G> {
         self.profile_with::<Portable>(r)
     }
 
-    /// [`profile`](Self::profile) on another maths backend.
+    /// [`profile`](Self::profile) on another math backend.
     #[must_use]
     pub fn profile_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
         self.each(|albedo, decay, extinction| {
@@ -301,7 +301,7 @@ impl<const N: usize, G: Grid> Dipole<N, G> {
         self.hemispherical_directional_with::<Portable>(cos_theta)
     }
 
-    /// [`hemispherical_directional`](Self::hemispherical_directional) on another maths backend.
+    /// [`hemispherical_directional`](Self::hemispherical_directional) on another math backend.
     #[must_use]
     pub fn hemispherical_directional_with<M: Math>(&self, cos_theta: f32) -> Reflectance<N, G> {
         let through = (1.0 - fresnel(self.eta, cos_theta)) * (1.0 - external_reflectance(self.eta));

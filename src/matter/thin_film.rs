@@ -1,4 +1,4 @@
-//! A transparent layer thin enough for colours: soap, oil on water, the coating of a lens.
+//! A transparent layer thin enough for colors: soap, oil on water, the coating of a lens.
 
 use super::airy::{Edge, Tilted};
 use crate::grid::Grid;
@@ -29,8 +29,8 @@ impl<F: Fn(f32) -> [f32; 3]> FilmIndices for F {
 
 /// One layer that does not absorb, between two media that do not: Airy's formula, all beams included.
 ///
-/// What a bin of a spectrum gets is the mean over the bin. A point at its centre is another thing as soon as
-/// fringes are as narrow as bins: of a film of 1 mm, 31 points show one of thousands of fringes each, and a colour
+/// What a bin of a spectrum gets is the mean over the bin. A point at its center is another thing as soon as
+/// fringes are as narrow as bins: of a film of 1 mm, 31 points show one of thousands of fringes each, and a color
 /// that is not there.
 ///
 /// ```
@@ -64,7 +64,7 @@ impl<I: FilmIndices> ThinFilm<I> {
         ThinFilm { indices, thickness_nm }
     }
 
-    /// What becomes of light of one wavelength: s and p polarised.
+    /// What becomes of light of one wavelength: s and p polarized.
     ///
     /// `nm`, above 0 and up to 1e9, is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
     ///
@@ -79,7 +79,7 @@ impl<I: FilmIndices> ThinFilm<I> {
         self.at_with::<Portable>(nm, cos_theta)
     }
 
-    /// [`at`](Self::at) on another maths backend.
+    /// [`at`](Self::at) on another math backend.
     #[must_use]
     pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
         let Some(tilted) = self.tilted(nm, cos_theta) else { return [Shares::NAN; 2] };
@@ -104,15 +104,15 @@ impl<I: FilmIndices> ThinFilm<I> {
         }
     }
 
-    /// Reflectance for unpolarised light, bin by bin: the mean over each bin.
+    /// Reflectance for unpolarized light, bin by bin: the mean over each bin.
     ///
     /// `cos_theta` is the cosine of the angle of incidence, held within 0..=1.
     ///
     /// # Accuracy
     /// Of the mean over a bin, absolute, for films of 1 nm to 0.1 mm in bins of 1 to 22 nm: 3e-6 for soap and for
     /// coated lenses, 1.3e-5 for n = 2.4 on glass, 2.2e-5 at grazing angles and for an air gap in silicon, where
-    /// faces reflect 36 %. A soap film of 1 mm has its colour within 0.02 CIEDE2000 in 16, 31 or 60 bins (points at
-    /// their centres: 2 to 20), one of 20 um within 0.6, 0.2 and 0.14.
+    /// faces reflect 36 %. A soap film of 1 mm has its color within 0.02 CIEDE2000 in 16, 31 or 60 bins (points at
+    /// their centers: 2 to 20), one of 20 um within 0.6, 0.2 and 0.14.
     ///
     /// # Cost
     /// Films of few fringes are read at three points in each bin; more where the phase runs through more than a
@@ -125,7 +125,7 @@ impl<I: FilmIndices> ThinFilm<I> {
         (s + p) * 0.5
     }
 
-    /// Transmittance for unpolarised light, bin by bin; as [`reflectance`](Self::reflectance).
+    /// Transmittance for unpolarized light, bin by bin; as [`reflectance`](Self::reflectance).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn transmittance<const N: usize, G: Grid>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
@@ -133,21 +133,21 @@ impl<I: FilmIndices> ThinFilm<I> {
         (s + p) * 0.5
     }
 
-    /// Reflectance for s and for p polarised light; as [`reflectance`](Self::reflectance).
+    /// Reflectance for s and for p polarized light; as [`reflectance`](Self::reflectance).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn reflectances<const N: usize, G: Grid>(&self, cos_theta: f32) -> [Spectrum<Factor, N, G>; 2] {
         self.bins_with::<Portable, N, G>(cos_theta, |shares| shares.reflected)
     }
 
-    /// Transmittance for s and for p polarised light; as [`reflectance`](Self::reflectance).
+    /// Transmittance for s and for p polarized light; as [`reflectance`](Self::reflectance).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn transmittances<const N: usize, G: Grid>(&self, cos_theta: f32) -> [Spectrum<Factor, N, G>; 2] {
         self.bins_with::<Portable, N, G>(cos_theta, |shares| shares.transmitted)
     }
 
-    /// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarised light, on any maths backend.
+    /// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light, on any math backend.
     #[must_use]
     pub fn bins_with<M: Math, const N: usize, G: Grid>(
         &self,
@@ -157,7 +157,7 @@ impl<I: FilmIndices> ThinFilm<I> {
         bins(|low_nm, high_nm| self.between_with::<M>(low_nm, high_nm, cos_theta).map(&share))
     }
 
-    /// The mean over the wavelengths from `low_nm` to `high_nm`, each the same share: s and p polarised.
+    /// The mean over the wavelengths from `low_nm` to `high_nm`, each the same share: s and p polarized.
     ///
     /// Where it has many fringes their integral over the phase is taken in closed form (the sum over all beams is
     /// an arc tangent) and the phase's change of pace by its next order.

@@ -1,9 +1,9 @@
-//! The fold: from 1 nm to N bins, keeping what the light's colour is.
+//! The fold: from 1 nm to N bins, keeping what the light's color is.
 //!
 //! The N numbers of a coarse spectrum are bin averages. A *conservative* reconstruction draws a
 //! curve that has those averages; the response to that curve is linear in the averages, and its
 //! coefficients are the folded weights. Whatever the curve, it reproduces a constant, so the
-//! colour of the light itself (a white surface) is the same number at every N.
+//! color of the light itself (a white surface) is the same number at every N.
 
 use crate::grid::{Grid, Layout};
 use crate::observer::Observer;
@@ -15,7 +15,7 @@ use crate::spectrum::Quantity;
 pub enum Curve {
     /// Flat in each bin. Weights are never negative: for narrow filters and single lines.
     Step,
-    /// In each bin the parabola with the averages of the bin and its two neighbours.
+    /// In each bin the parabola with the averages of the bin and its two neighbors.
     Parabola,
     /// The histospline: the smoothest of them, the derivative of the natural cubic spline through
     /// the cumulative. For surfaces: 16 bins are then better than 60 without a fold.
@@ -71,7 +71,7 @@ const fn round(weight: f64) -> f32 {
 }
 
 /// The fine weights that fall into each bin: how much, and its first and second moment about the
-/// centre of the bin, where the bin reaches from -1/2 to 1/2.
+/// center of the bin, where the bin reaches from -1/2 to 1/2.
 struct Moments<const M: usize> {
     mass: [f64; M],
     first: [f64; M],
@@ -148,7 +148,7 @@ impl<const M: usize> Moments<M> {
     }
 
     /// Bin k has the curve `s + (r - l)/2 t + (r - 2 s + l)/2 (t^2 - 1/12)`, with `l` and `r` the
-    /// averages of its neighbours; an end bin continues its neighbour's parabola.
+    /// averages of its neighbors; an end bin continues its neighbor's parabola.
     const fn parabola(&self) -> [f64; M] {
         let mut weights = self.mass;
         if M < 3 {
@@ -163,7 +163,7 @@ impl<const M: usize> Moments<M> {
             } else {
                 (k, 0.0)
             };
-            // Moments about the middle bin's centre, where t = (place in this bin) + shift.
+            // Moments about the middle bin's center, where t = (place in this bin) + shift.
             let first = self.first[k] + shift * self.mass[k];
             let second = self.second[k] + 2.0 * shift * self.first[k] + shift * shift * self.mass[k];
             let slope = first / 2.0;
@@ -179,7 +179,7 @@ impl<const M: usize> Moments<M> {
 
     /// Two bins: the straight line with their averages.
     const fn line(&self) -> [f64; M] {
-        // s0 + (s1 - s0) p, with p counted from the centre of the first bin.
+        // s0 + (s1 - s0) p, with p counted from the center of the first bin.
         let mut weights = self.mass;
         let lever = self.first[0] + self.first[1] + self.mass[1];
         weights[0] = self.mass[0] + self.mass[1] - lever;

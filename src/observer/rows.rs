@@ -60,7 +60,7 @@ impl<const C: usize, const N: usize, Q, G> core::fmt::Debug for Observer<C, N, Q
 }
 
 impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> {
-    /// From responsivities at the bins of the grid: what each channel reports for each nanometre
+    /// From responsivities at the bins of the grid: what each channel reports for each nanometer
     /// of power 1.
     ///
     /// On a 1 nm grid the rows are a table as published (a sensor's own range is

@@ -7,7 +7,7 @@ use crate::path::{Effects, Filter, Intensity, Plain, Price, Priced, Stokes, Stok
 use crate::spectrum::{Power, Spectrum};
 use core::marker::PhantomData;
 
-/// Light that can make matter glow: power on the grid of the matter. Glowing matter emits unpolarised light, and a
+/// Light that can make matter glow: power on the grid of the matter. Glowing matter emits unpolarized light, and a
 /// surface that glows scatters what it reflects.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot make matter fluoresce",
@@ -37,7 +37,7 @@ impl<P: StokesPath<N, G>, const N: usize, G> Excites<N, G> for Stokes<P> {
 
     #[inline]
     fn into_light(self) -> Intensity<P> {
-        self.ignoring_polarisation().into_inner()
+        self.ignoring_polarization().into_inner()
     }
 }
 
@@ -86,7 +86,7 @@ impl<'m, L: Excites<N, G>, const N: usize, G> Surface<L> for &'m Dye<N, G> {
     }
 }
 
-/// Plain light only: what a clear dye leaves of the polarisation of light that goes through it is not in its numbers.
+/// Plain light only: what a clear dye leaves of the polarization of light that goes through it is not in its numbers.
 impl<Q, P, const N: usize, G> Filter<Plain<Q, P>> for &Dye<N, G>
 where
     Plain<Q, P>: Excites<N, G>,

@@ -12,8 +12,8 @@ use crate::spectrum::{Factor, Spectrum};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no surface that `{L}` can fall on",
     label = "no surface for this light",
-    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarised()`, on `&Mirror`",
-    note = "it goes through `&Polariser` and `&Retarder`: `.through(..)`",
+    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, on `&Mirror`",
+    note = "it goes through `&Polarizer` and `&Retarder`: `.through(..)`",
     note = "what is `Power` is light itself: it is applied once, as the start of the path"
 )]
 pub trait Surface<L> {
@@ -27,15 +27,15 @@ pub trait Surface<L> {
 /// What light can go through.
 ///
 /// A transmittance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
-/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Polariser`](crate::matter::Polariser), a
+/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Polarizer`](crate::matter::Polarizer), a
 /// [`Retarder`](crate::matter::Retarder); or a type of your own.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no filter that `{L}` can go through",
     label = "no filter for this light",
-    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, and, once `.polarised()`, \
-            through `&Polariser` and `&Retarder`",
+    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, and, once `.polarized()`, \
+            through `&Polarizer` and `&Retarder`",
     note = "it falls on `&Mirror` and `&Phosphor`: `.onto(..)`",
-    note = "what a dye leaves of polarisation is not known: `.ignoring_polarisation()` before `.through(&dye)`",
+    note = "what a dye leaves of polarization is not known: `.ignoring_polarization()` before `.through(&dye)`",
     note = "what is `Power` is light itself: it is applied once, as the start of the path"
 )]
 pub trait Filter<L> {

@@ -17,24 +17,24 @@
 //!
 //! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
 //!   it; a [`Dye`](crate::matter::Dye) or a [`Donaldson`](crate::matter::Donaldson) matrix makes it fluoresce.
-//! * [`Stokes`] light, from `polarised()` on, has four, which [`Mirror`](crate::matter::Mirror)s,
-//!   [`Polariser`](crate::matter::Polariser)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
-//!   it plain again; so does `ignoring_polarisation()`, for an eye or by choice.
+//! * [`Stokes`] light, from `polarized()` on, has four, which [`Mirror`](crate::matter::Mirror)s,
+//!   [`Polarizer`](crate::matter::Polarizer)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
+//!   it plain again; so does `ignoring_polarization()`, for an eye or by choice.
 //! * With [`RgbBands`] for a grid there are three bands: cheap, and off by what [`RgbBands`] says.
 //! * A [`Scene`] is a path chosen at run time: its parts are an enum, and it says what they cost and which of them
 //!   hardly show.
 //!
 //! A path knows its price while compiling ([`Priced`]). One that stays folds into the eye, from the eye backwards, in
-//! `const fn`, fluorescence and polarisation included:
+//! `const fn`, fluorescence and polarization included:
 //!
 //! ```
-//! use nanospectra::matter::{Dye, Mirror, Polariser};
+//! use nanospectra::matter::{Dye, Mirror, Polarizer};
 //! use nanospectra::{Bins, Light, Observer, Power, Reflectance};
 //!
 //! type Grid = Bins<400, 700>;
 //! const EYE: Observer<1, 3, Power, Grid> = Observer::from_rows([[0.1, 0.8, 0.3]]);
 //! const LAMP: Light<3, Grid> = Light::from_bins([1.0, 0.6, 0.4]);
-//! static SHEET: Polariser<3, Grid> = Polariser::ideal(0.0);
+//! static SHEET: Polarizer<3, Grid> = Polarizer::ideal(0.0);
 //! static LAKE: Mirror<3, Grid> = Mirror::dielectric(&[1.33; 3], 0.6, 0.0);
 //! static VEST: Dye<3, Grid> = match Dye::new(
 //!     &Reflectance::from_bins([0.1, 0.8, 0.8]),
@@ -47,41 +47,41 @@
 //! };
 //! // The vest, seen in the lake through the sheet, under the lamp with something before it.
 //! static FOLDED: Observer<1, 3, Power, Grid> = EYE
-//!     .polarised()
-//!     .through_polariser(&SHEET)
+//!     .polarized()
+//!     .through_polarizer(&SHEET)
 //!     .looking_at_mirror(&LAKE)
-//!     .unpolarised_light()
+//!     .unpolarized_light()
 //!     .looking_at_dye(&VEST);
 //!
 //! let [folded] = FOLDED.sees(&LAMP);
-//! let path = LAMP.onto(&VEST).polarised().onto(&LAKE).through(&SHEET).ignoring_polarisation();
+//! let path = LAMP.onto(&VEST).polarized().onto(&LAKE).through(&SHEET).ignoring_polarization();
 //! let [walked] = EYE.sees(path);
 //! assert!((folded - walked).abs() < 4e-7 * walked);
 //! ```
 //!
 //! # What does not compile
 //!
-//! The messages say what to write instead. A mirror, a polariser or a retarder in light whose polarisation is not
+//! The messages say what to write instead. A mirror, a polarizer or a retarder in light whose polarization is not
 //! followed:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, matter::Mirror};
-//! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarised().onto(lake)
+//! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarized().onto(lake)
 //! ```
 //!
-//! Polarised light before an eye, which reads its intensity:
+//! Polarized light before an eye, which reads its intensity:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, Observer, Power};
-//! fn seen(eye: &Observer<3, 31, Power>, sun: &Light<31>) { eye.sees(sun.polarised()); } // .ignoring_polarisation()
+//! fn seen(eye: &Observer<3, 31, Power>, sun: &Light<31>) { eye.sees(sun.polarized()); } // .ignoring_polarization()
 //! ```
 //!
-//! Polarised light through a dye, whose numbers do not say what becomes of the polarisation:
+//! Polarized light through a dye, whose numbers do not say what becomes of the polarization:
 //!
 //! ```compile_fail,E0277
-//! # use nanospectra::{Light, matter::Dye, matter::Polariser};
-//! fn seen(sun: &Light<31>, sheet: &Polariser<31>, wine: &Dye<31>) {
-//!     let _ = sun.polarised().through(sheet).through(wine); // .ignoring_polarisation().through(wine)
+//! # use nanospectra::{Light, matter::Dye, matter::Polarizer};
+//! fn seen(sun: &Light<31>, sheet: &Polarizer<31>, wine: &Dye<31>) {
+//!     let _ = sun.polarized().through(sheet).through(wine); // .ignoring_polarization().through(wine)
 //! }
 //! ```
 //!
@@ -134,15 +134,15 @@ mod fluorescent;
 mod fold;
 mod matter;
 mod plain;
-mod polarised;
+mod polarized;
 mod rgb;
 mod scene;
 
 pub use crate::price::{Effects, Price, Priced, price_of};
 pub use fluorescent::{Emitted, Excites, Glowing};
-pub use fold::PolarisedObserver;
+pub use fold::PolarizedObserver;
 pub use matter::{Filter, Surface};
 pub use plain::{Plain, Times};
-pub use polarised::{Dimmed, Intensity, Natural, Polarised, Stokes, StokesPath, Turned};
+pub use polarized::{Dimmed, Intensity, Natural, Polarized, Stokes, StokesPath, Turned};
 pub use rgb::RgbBands;
-pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarisation, Part, Scene, WithinBudget};
+pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarization, Part, Scene, WithinBudget};

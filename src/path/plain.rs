@@ -116,10 +116,10 @@ impl<Q, P> Plain<Q, P> {
 }
 
 impl<P> Plain<Power, P> {
-    /// The same light, followed as Stokes vectors from here on: so far it is unpolarised.
+    /// The same light, followed as Stokes vectors from here on: so far it is unpolarized.
     #[must_use]
     #[inline]
-    pub fn polarised(self) -> Stokes<Natural<P>> {
+    pub fn polarized(self) -> Stokes<Natural<P>> {
         Stokes::new(Natural::new(self.0))
     }
 }
@@ -158,10 +158,10 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
 }
 
 impl<const N: usize, G> Spectrum<Power, N, G> {
-    /// This light, followed as Stokes vectors from here on: so far it is unpolarised.
+    /// This light, followed as Stokes vectors from here on: so far it is unpolarized.
     #[must_use]
     #[inline]
-    pub fn polarised(&self) -> Stokes<Natural<&Self>> {
+    pub fn polarized(&self) -> Stokes<Natural<&Self>> {
         Stokes::new(Natural::new(self))
     }
 }

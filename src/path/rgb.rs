@@ -11,8 +11,8 @@ use core::marker::PhantomData;
 /// It is no grid: no wavelengths belong to the three numbers, so samples, lines and resampling are not to be had.
 ///
 /// # Accuracy
-/// Products of colours are not colours of products. The 99 samples of CIE 224 under FL1 to FL12, each sample as its
-/// colour under D65 and each lamp as its colour, are off by 4.6 CIEDE2000 in the mean and by up to 18.8 in sRGB, by 3.8
+/// Products of colors are not colors of products. The 99 samples of CIE 224 under FL1 to FL12, each sample as its
+/// color under D65 and each lamp as its color, are off by 4.6 CIEDE2000 in the mean and by up to 18.8 in sRGB, by 3.8
 /// and up to 12.3 in ACEScg (`tests/path/chain.rs`).
 ///
 /// ```
@@ -30,13 +30,13 @@ use core::marker::PhantomData;
 pub struct RgbBands<S>(PhantomData<S>);
 
 impl<Q, S: RgbSpace> Spectrum<Q, 3, RgbBands<S>> {
-    /// The colour of a light, or that of a surface under the white of the space; linear.
+    /// The color of a light, or that of a surface under the white of the space; linear.
     #[must_use]
     pub const fn from_rgb(rgb: Rgb<S>) -> Self {
         Spectrum::unchecked(rgb.to_array())
     }
 
-    /// As a colour; linear.
+    /// As a color; linear.
     #[must_use]
     pub const fn to_rgb(&self) -> Rgb<S> {
         let [r, g, b] = self.0;

@@ -65,7 +65,7 @@ impl<A, B> SurfaceRadiance<A, B> {
         self.on_the_side_of(wo, wo)
     }
 
-    fn on_the_side_of<V: Carried>(&self, w: [f32; 3], travelling: [f32; 3]) -> Radiance<V>
+    fn on_the_side_of<V: Carried>(&self, w: [f32; 3], traveling: [f32; 3]) -> Radiance<V>
     where
         A: Fn([f32; 3]) -> Radiance<V>,
         B: Fn([f32; 3]) -> Radiance<V>,
@@ -73,9 +73,9 @@ impl<A, B> SurfaceRadiance<A, B> {
         let [w, normal] = [w, self.normal].map(|v| scaled(v, to_unity(v)));
         let cos = dot(w, normal);
         if cos > 0.0 {
-            (self.above)(travelling)
+            (self.above)(traveling)
         } else if cos < 0.0 {
-            (self.below)(travelling)
+            (self.below)(traveling)
         } else {
             Radiance::new(V::NONE * cos)
         }

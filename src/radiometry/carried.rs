@@ -1,4 +1,4 @@
-//! What a quantity counts: watts, lumens, scotopic lumens, or watts for each nanometre.
+//! What a quantity counts: watts, lumens, scotopic lumens, or watts for each nanometer.
 
 use crate::grid::Grid;
 use crate::spectrum::{Light, Spectrum};

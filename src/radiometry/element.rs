@@ -28,7 +28,7 @@ impl SurfaceElement {
     /// dw = dA cos / r^2. Behind it 0; the element's own place has no direction, and there both are 0.
     ///
     /// Exact for a piece that is small against its distance: an integral over directions, sum of f(w) dw, is the
-    /// integral over the area. (For a whole polygon or disc see [`solid_angle`](crate::radiometry::solid_angle).)
+    /// integral over the area. (For a whole polygon or disk see [`solid_angle`](crate::radiometry::solid_angle).)
     #[must_use]
     pub fn seen_from(&self, point_m: [f32; 3]) -> ([f32; 3], f32) {
         let k = to_unity(self.position_m.into_iter().chain(point_m));

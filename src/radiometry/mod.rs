@@ -3,7 +3,7 @@
 //!
 //! Six quantities, [`Energy`], [`Flux`], [`Intensity`], [`Irradiance`], [`Exitance`] and [`Radiance`], carry
 //! [`Radiant`] (watts), [`Luminous`] (lumens) or [`Scotopic`] numbers, or a whole spectrum in watts for each
-//! nanometre: `Irradiance<Light<16>>` is a spectral irradiance, `Irradiance<Luminous>` (or [`Lux`]) an illuminance.
+//! nanometer: `Irradiance<Light<16>>` is a spectral irradiance, `Irradiance<Luminous>` (or [`Lux`]) an illuminance.
 //! They follow from each other by distance, area, solid angle and cosine; quantities and units that do not belong
 //! together do not compile. (Which eye counts the lumens of a spectrum is the caller's word: `luminous_by` takes any
 //! observer of one row for V(lambda).)
@@ -17,7 +17,7 @@
 //! // 20 W of white light (380..730 nm) from a panel of 0.36 m2, on a desk 2 m below its middle.
 //! let panel = Flux::new(Light::<16>::flat(20.0 / 350.0));
 //! let radiance: Radiance<_> = panel.exitance(0.36).lambertian();
-//! let on_desk = radiance.through_form_factor(form_factor::to_disc(0.339, 2.0, 0.0));
+//! let on_desk = radiance.through_form_factor(form_factor::to_disk(0.339, 2.0, 0.0));
 //! assert_eq!(format!("{:.2}", on_desk.radiant()), "1.55 W/m2");
 //! assert_eq!(format!("{:.0}", on_desk.luminous_by(&V)), "324 lx");
 //! ```
@@ -34,7 +34,7 @@ mod relations;
 mod source;
 
 pub mod form_factor;
-mod off_axis_disc;
+mod off_axis_disk;
 pub mod solid_angle;
 
 pub use alpha_opic::AlphaOpic;
@@ -47,4 +47,4 @@ pub use element::SurfaceElement;
 pub use quantity::{
     Candela, Energy, Exitance, Flux, Intensity, Irradiance, Lumen, Lux, Nit, Radiance, Talbot,
 };
-pub use source::{DiscSource, PointSource, RectangleSource, SphereSource};
+pub use source::{DiskSource, PointSource, RectangleSource, SphereSource};

@@ -18,7 +18,7 @@ const J_NM_PER_UMOL: f32 = 119.626_566;
 pub fn ppfd(light: &Fine<Power>) -> f32 {
     let mut photons = light.within(400.0, 700.0);
     for (k, value) in photons.values_mut().iter_mut().enumerate() {
-        *value *= Fine::<Power>::centre_nm(k);
+        *value *= Fine::<Power>::center_nm(k);
     }
     photons.power() / J_NM_PER_UMOL
 }

@@ -17,7 +17,7 @@ use crate::math::Portable;
 use crate::math::{Math, sqrt};
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
-pub use crate::radiometry::off_axis_disc::disc_off_axis;
+pub use crate::radiometry::off_axis_disk::disk_off_axis;
 
 /// All directions.
 pub const WHOLE_SPHERE: f32 = 4.0 * PI;
@@ -46,7 +46,7 @@ fn cap(half_angle_rad: f32) -> f32 {
     s * (PI - s * (0.261_799_4 - s * series))
 }
 
-/// A sphere seen from a distance to its centre. From within it is all directions, from its surface half of them.
+/// A sphere seen from a distance to its center. From within it is all directions, from its surface half of them.
 ///
 /// # Accuracy
 /// 6 units of 2^-24, relative.
@@ -63,12 +63,12 @@ pub fn sphere(radius_m: f32, distance_m: f32) -> f32 {
     TAU * (r * r) / (d * (d + sqrt((d - r) * (d + r))))
 }
 
-/// A disc seen from a point on its axis. At no distance it is half of all directions.
+/// A disk seen from a point on its axis. At no distance it is half of all directions.
 ///
 /// # Accuracy
 /// 6 units of 2^-24, relative.
 #[must_use]
-pub fn disc(radius_m: f32, distance_m: f32) -> f32 {
+pub fn disk(radius_m: f32, distance_m: f32) -> f32 {
     let k = to_unity([radius_m, distance_m]);
     let [r, d] = [radius_m, distance_m].map(|x| (x * k).abs());
     let (r2, slant2) = (r * r, r * r + d * d);
@@ -78,7 +78,7 @@ pub fn disc(radius_m: f32, distance_m: f32) -> f32 {
     TAU * r2 / (slant2 + d * sqrt(slant2))
 }
 
-/// A rectangle seen from a point over its centre. At no distance it is half of all directions.
+/// A rectangle seen from a point over its center. At no distance it is half of all directions.
 ///
 /// # Accuracy
 /// 5 units of 2^-24, relative, while no length is more than 1e15 times another: beyond, a strip may vanish.
@@ -88,7 +88,7 @@ pub fn rectangle(width_m: f32, height_m: f32, distance_m: f32) -> f32 {
     rectangle_with::<Portable>(width_m, height_m, distance_m)
 }
 
-/// [`rectangle`] on another maths backend.
+/// [`rectangle`] on another math backend.
 #[must_use]
 pub fn rectangle_with<M: Math>(width_m: f32, height_m: f32, distance_m: f32) -> f32 {
     let k = to_unity([width_m, height_m, distance_m]);
@@ -123,7 +123,7 @@ pub fn triangle(from_m: [f32; 3], vertices_m: [[f32; 3]; 3]) -> f32 {
     triangle_with::<Portable>(from_m, vertices_m)
 }
 
-/// [`triangle`] on another maths backend.
+/// [`triangle`] on another math backend.
 #[must_use]
 pub fn triangle_with<M: Math>(from_m: [f32; 3], vertices_m: [[f32; 3]; 3]) -> f32 {
     let k = to_unity(vertices_m.into_iter().flatten().chain(from_m));

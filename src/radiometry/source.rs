@@ -4,7 +4,7 @@ use crate::geometry::vec3::{difference, dot, scaled, sum, to_unity, unit};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
-use crate::radiometry::form_factor::{to_disc, to_polygon_with, to_sphere_with};
+use crate::radiometry::form_factor::{to_disk, to_polygon_with, to_sphere_with};
 use crate::radiometry::relations::{finite, in_front, ratio};
 use crate::radiometry::{Carried, Intensity, Irradiance, Radiance};
 
@@ -43,7 +43,7 @@ impl<V: Carried> PointSource<V> {
 /// A Lambertian sphere: equally bright from everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereSource<V> {
-    /// Its centre, in m.
+    /// Its center, in m.
     pub center_m: [f32; 3],
     /// Its radius, in m.
     pub radius_m: f32,
@@ -69,7 +69,7 @@ impl<V: Carried> SphereSource<V> {
         self.irradiance_with::<Portable>(point_m, normal)
     }
 
-    /// [`irradiance`](Self::irradiance) on another maths backend.
+    /// [`irradiance`](Self::irradiance) on another math backend.
     #[must_use]
     pub fn irradiance_with<M: Math>(&self, point_m: [f32; 3], normal: [f32; 3]) -> Irradiance<V> {
         let (way, k) = way(point_m, self.center_m);
@@ -80,31 +80,31 @@ impl<V: Carried> SphereSource<V> {
     }
 }
 
-/// A Lambertian disc: equally bright from everywhere before it.
+/// A Lambertian disk: equally bright from everywhere before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DiscSource<V> {
+pub struct DiskSource<V> {
     /// Its radius, in m.
     pub radius_m: f32,
     /// The radiance of its front.
     pub radiance: Radiance<V>,
 }
 
-impl<V: Carried> DiscSource<V> {
-    /// The irradiance on a surface parallel to the disc and facing it, at a distance from its plane and `offset_m`
+impl<V: Carried> DiskSource<V> {
+    /// The irradiance on a surface parallel to the disk and facing it, at a distance from its plane and `offset_m`
     /// beside its axis.
     ///
     /// # Accuracy
     /// 1e-6, relative.
     ///
     /// ```
-    /// use nanospectra::radiometry::{DiscSource, Nit};
+    /// use nanospectra::radiometry::{DiskSource, Nit};
     /// // An integrating sphere's port, 5 cm wide, from 0.5 m.
-    /// let port = DiscSource { radius_m: 0.025, radiance: Nit::from(1e4) };
+    /// let port = DiskSource { radius_m: 0.025, radiance: Nit::from(1e4) };
     /// assert_eq!(format!("{:.2}", port.irradiance(0.5, 0.0)), "78.34 lx"); // pi L r^2 / (r^2 + d^2)
     /// ```
     #[must_use]
     pub fn irradiance(&self, distance_m: f32, offset_m: f32) -> Irradiance<V> {
-        self.radiance.through_form_factor(to_disc(self.radius_m, distance_m, offset_m))
+        self.radiance.through_form_factor(to_disk(self.radius_m, distance_m, offset_m))
     }
 }
 
@@ -142,7 +142,7 @@ impl<V: Carried> RectangleSource<V> {
         self.irradiance_with::<Portable>(point_m, normal)
     }
 
-    /// [`irradiance`](Self::irradiance) on another maths backend.
+    /// [`irradiance`](Self::irradiance) on another math backend.
     #[must_use]
     pub fn irradiance_with<M: Math>(&self, point_m: [f32; 3], normal: [f32; 3]) -> Irradiance<V> {
         let [u, v] = self.edges_m;

@@ -76,7 +76,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     }
 
     /// For a chip behind a window or a diffuser that passes `transmittance` (above 0) of every wavelength alike.
-    /// Glass with a colour belongs into the responsivities: [`Observer::through`](crate::Observer::through).
+    /// Glass with a color belongs into the responsivities: [`Observer::through`](crate::Observer::through).
     #[must_use]
     pub const fn behind_glass(self, transmittance: f32) -> Self {
         self.scaled(1.0 / transmittance)
@@ -190,7 +190,7 @@ impl<const C: usize> Calibration<C> {
     }
 }
 
-/// The colour, if no sum is negative.
+/// The color, if no sum is negative.
 #[inline]
 pub(super) fn positive(xyz: Xyz) -> Result<Xyz, Unusable> {
     if xyz.x < 0.0 || xyz.y < 0.0 || xyz.z < 0.0 {

@@ -135,7 +135,7 @@ impl core::fmt::Display for Unusable {
                 f.write_str("the channels are not above their dark levels: use more gain or time")
             }
             Unusable::Negative { xyz } => {
-                write!(f, "the calibration gives a negative colour: X {}, Y {}, Z {}", xyz.x, xyz.y, xyz.z)
+                write!(f, "the calibration gives a negative color: X {}, Y {}, Z {}", xyz.x, xyz.y, xyz.z)
             }
         }
     }

@@ -246,7 +246,7 @@ impl fmt::Display for FitError {
             }
             Self::IllConditioned { condition } => write!(
                 f,
-                "channels that cannot be told apart (condition {condition:e}): measure more different colours, \
+                "channels that cannot be told apart (condition {condition:e}): measure more different colors, \
                  leave out a channel that never counts, or use a larger alpha"
             ),
             Self::NotFinite => f.write_str(

@@ -1,4 +1,4 @@
-//! An exposure, a dark level and a calibration in one: raw counts to colour in one pass.
+//! An exposure, a dark level and a calibration in one: raw counts to color in one pass.
 
 use super::calibration::positive;
 use super::{Calibration, Count, Exposure, Unusable};

@@ -1,4 +1,4 @@
-//! Silicon: from the counts of a chip to colour.
+//! Silicon: from the counts of a chip to color.
 //!
 //! ```
 //! use nanospectra::color::Cct;

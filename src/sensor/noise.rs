@@ -1,4 +1,4 @@
-//! How far a reading may be off by chance, carried through to X, Y, Z, colour temperature and Duv.
+//! How far a reading may be off by chance, carried through to X, Y, Z, color temperature and Duv.
 
 use super::{BasicCounts, Calibration, Count, Exposure};
 use crate::color::{Cct, Uv1960, Xyz};
@@ -139,11 +139,11 @@ pub struct XyzCovariance {
     pub xz: f32,
 }
 
-/// Standard uncertainties (k = 1) of a correlated colour temperature and its Duv.
+/// Standard uncertainties (k = 1) of a correlated color temperature and its Duv.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CctUncertainty {
-    /// Of the colour temperature in K.
+    /// Of the color temperature in K.
     pub cct_k: f32,
     /// Of the same in mired (1e6 / K), in which it depends less on the temperature.
     pub mired: f32,
@@ -161,17 +161,17 @@ impl XyzCovariance {
         Xyz::new(root(self.xx), root(self.yy), root(self.zz))
     }
 
-    /// The standard uncertainties of the colour temperature and Duv of `xyz`; `None` if it has none.
+    /// The standard uncertainties of the color temperature and Duv of `xyz`; `None` if it has none.
     ///
     /// To first order: as long as the chromaticity is uncertain by less than its distance from 1000 K, from
-    /// infinite temperature, and from the centre of curvature of the locus, which is 0.05 or more away.
+    /// infinite temperature, and from the center of curvature of the locus, which is 0.05 or more away.
     ///
     /// # Accuracy
-    /// 1.6 % of colour temperature, 0.4 % of Duv (swept in `tests/sensor/measures.rs`): the slopes are central
+    /// 1.6 % of color temperature, 0.4 % of Duv (swept in `tests/sensor/measures.rs`): the slopes are central
     /// differences of [`Uv1960::cct`] over 1e-3 in u and in v, one-sided ones beside the ends of its range.
     ///
     /// # Cost
-    /// Five colour temperatures.
+    /// Five color temperatures.
     ///
     /// # Reference
     /// JCGM 100:2008 (GUM), 5.2.2.

@@ -13,7 +13,7 @@ use crate::spectrum::Power;
 
 /// Gaussian channels on any grid, from (peak, full width at half maximum), both in nm; each 1 at its peak.
 ///
-/// On bins wider than a few nanometres these are values at the centres and not averages: make them on 1 nm and
+/// On bins wider than a few nanometers these are values at the centers and not averages: make them on 1 nm and
 /// [`fold`](Observer::fold).
 ///
 /// ```
@@ -31,7 +31,7 @@ pub const fn gaussians<const C: usize, const N: usize, G: Grid>(
         let (peak, fwhm) = channels[c];
         let mut k = 0;
         while k < N {
-            let widths = (crate::grid::Layout::<G, N>::centre(k) as f64 - peak) / fwhm;
+            let widths = (crate::grid::Layout::<G, N>::center(k) as f64 - peak) / fwhm;
             // 16^(-(d/fwhm)^2) is a half at d = fwhm / 2.
             rows[c][k] = exp2_below_zero(-4.0 * widths * widths) as f32;
             k += 1;

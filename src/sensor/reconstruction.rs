@@ -23,7 +23,7 @@ pub const ALPHA: f32 = 1e-2;
 ///
 /// Eight channels do not tell 31 bins; what is missing comes from what spectra are usually like: smooth
 /// ([`smooth`](Self::smooth)), or like a set of lamps ([`wiener`](Self::wiener) with
-/// [`covariance_of`](super::covariance_of)). If only colour is asked for, let an eye look at it while
+/// [`covariance_of`](super::covariance_of)). If only color is asked for, let an eye look at it while
 /// compiling ([`seen_by`](Self::seen_by)). All of it supposes that the responsivities are those of the very
 /// chip; if they are not known, measure patches and use [`Fit`](super::Fit).
 ///
@@ -64,7 +64,7 @@ impl<const C: usize, const N: usize, G> Copy for Reconstruction<C, N, G> {}
 impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     /// For smooth spectra: bins `i` and `j` are expected to be correlated by `correlation`^|i - j|.
     ///
-    /// `correlation` is 0 to 1: 0.95 for bins of 10 nm, 0.975 for 5 nm; 0 says nothing about neighbours
+    /// `correlation` is 0 to 1: 0.95 for bins of 10 nm, 0.975 for 5 nm; 0 says nothing about neighbors
     /// ([`tikhonov`](Self::tikhonov)). `alpha` is the variance of the noise over that of the signals of
     /// bins that vary apart, [`ALPHA`] or so.
     ///
@@ -107,7 +107,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         Self::scaled(&x, scale)
     }
 
-    /// The smallest spectrum that explains the counts, nothing supposed about neighbours: bins that no channel
+    /// The smallest spectrum that explains the counts, nothing supposed about neighbors: bins that no channel
     /// sees become 0. For narrow lines; for lamps and surfaces [`smooth`](Self::smooth) is better.
     ///
     /// # Errors

@@ -74,10 +74,10 @@ pub const fn read_responsivities<const C: usize, const N: usize, G: Grid>(
         if n >= N {
             return Err(text.error(Problem::TooManyRows));
         }
-        let centre = Layout::<G, N>::centre(n);
+        let center = Layout::<G, N>::center(n);
         match nm {
-            // Nodes that are no whole nanometres are rounded.
-            Ok(nm) if (nm - centre).abs() <= 4.0 * f32::EPSILON * centre => {}
+            // Nodes that are no whole nanometers are rounded.
+            Ok(nm) if (nm - center).abs() <= 4.0 * f32::EPSILON * center => {}
             Ok(_) => return Err(text.error(Problem::AnotherWavelength)),
             Err(problem) => return Err(text.error(problem)),
         }

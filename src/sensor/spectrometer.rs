@@ -69,13 +69,13 @@ impl<const P: usize, const K: usize> Wavelengths<P, K> {
         Ok(unit)
     }
 
-    /// The centre of pixel `pixel`, in nm; here pixels count from 0 always.
+    /// The center of pixel `pixel`, in nm; here pixels count from 0 always.
     #[must_use]
     pub const fn nm(&self, pixel: usize) -> f32 {
         self.at(pixel as f32)
     }
 
-    /// The lower edge of pixel `pixel` (or the upper end, for `pixel` = `P`), in nm: half way to its neighbour.
+    /// The lower edge of pixel `pixel` (or the upper end, for `pixel` = `P`), in nm: half way to its neighbor.
     #[must_use]
     pub const fn edge_nm(&self, pixel: usize) -> f32 {
         self.at(pixel as f32 - 0.5)

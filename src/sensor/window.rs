@@ -3,7 +3,7 @@
 // (HistoryBuf says the same in fewer words, but its indexing leaves a panic in the program.)
 use heapless::Deque;
 
-/// The last `CAP` readings of one quantity: lux, a channel, a colour temperature. Needs the feature `heapless`.
+/// The last `CAP` readings of one quantity: lux, a channel, a color temperature. Needs the feature `heapless`.
 ///
 /// ```
 /// # use nanospectra::sensor::{Flicker, Window};

@@ -16,7 +16,7 @@ pub enum Interpolation {
 }
 
 impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// Reads this spectrum at the bin centres of another grid; `const`, to bring tables to 1 nm.
+    /// Reads this spectrum at the bin centers of another grid; `const`, to bring tables to 1 nm.
     ///
     /// With fewer than six bands Sprague's interpolation falls back to straight lines.
     ///
@@ -31,14 +31,14 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         by: Interpolation,
         outside: Outside,
     ) -> Spectrum<Q, M, H> {
-        let (first, step) = (Layout::<G, N>::FIRST_CENTRE, Layout::<G, N>::STEP);
+        let (first, step) = (Layout::<G, N>::FIRST_CENTER, Layout::<G, N>::STEP);
         let mut values = [0.0; M];
         let mut k = 0;
         while k < M {
-            let nm = Layout::<H, M>::centre(k);
+            let nm = Layout::<H, M>::center(k);
             values[k] = if nm < first {
                 outside.beyond(self.0[0])
-            } else if nm > Layout::<G, N>::LAST_CENTRE {
+            } else if nm > Layout::<G, N>::LAST_CENTER {
                 outside.beyond(self.0[N - 1])
             } else {
                 let place = Place::of(nm - first, step, N, by);
@@ -73,7 +73,7 @@ pub(crate) struct Place {
 impl Place {
     /// `distance` from the first of `n` samples `step` apart, 0..=(n - 1) * step.
     pub(crate) const fn of(distance: f32, step: f32, n: usize, by: Interpolation) -> Self {
-        // The cell first and the place in it after: both exact on whole nanometres.
+        // The cell first and the place in it after: both exact on whole nanometers.
         let mut cell = (distance / step) as usize;
         if cell + 2 > n {
             cell = n.saturating_sub(2);

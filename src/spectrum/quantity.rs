@@ -10,7 +10,7 @@
 )]
 pub trait Quantity: sealed::Sealed + Copy + 'static {}
 
-/// Spectral power (flux, irradiance, radiance ..) for each nanometre; relative or in W/nm, W/m2/nm.
+/// Spectral power (flux, irradiance, radiance ..) for each nanometer; relative or in W/nm, W/m2/nm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Power;
 
@@ -23,7 +23,7 @@ pub struct Factor;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Index;
 
-/// What a bin holds in all, and not for each nanometre: the counts of a spectrometer's pixels, which already
+/// What a bin holds in all, and not for each nanometer: the counts of a spectrometer's pixels, which already
 /// sum up what falls on their width. Made by [`Wavelengths::rebinned`](crate::sensor::Wavelengths::rebinned).
 ///
 /// Taken for a density, pixels of a grating that widen towards the blue are 24 % wrong in blue over red.

@@ -82,7 +82,7 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Ok(Self::from_bins(averages))
     }
 
-    /// The value at the centre of each bin, interpolated between samples.
+    /// The value at the center of each bin, interpolated between samples.
     ///
     /// On the [`Fine`](crate::Fine) grid this is the CIE's rule for measured samples:
     /// interpolate to 1 nm, then sum. (To put samples into wide bins use
@@ -102,14 +102,14 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
             Interpolation::Linear => {
                 let mut lines = Lines { samples, outside, next: 0 };
                 for (k, value) in values.iter_mut().enumerate() {
-                    *value = lines.at(Self::centre_nm(k));
+                    *value = lines.at(Self::center_nm(k));
                 }
             }
             Interpolation::Sprague => {
                 let step = regular_step(samples)?;
                 let (first, last) = ends(samples);
                 for (k, value) in values.iter_mut().enumerate() {
-                    let nm = Self::centre_nm(k);
+                    let nm = Self::center_nm(k);
                     *value = if nm < first.0 {
                         outside.beyond(first.1)
                     } else if nm > last.0 {

@@ -10,7 +10,7 @@ use core::marker::PhantomData;
 /// With averages power is the plain sum times the bin width, a constant stays exactly that
 /// constant, and a laser line keeps its power at every `N`. (Point samples are the trap: 31
 /// points over 400..700 nm are up to 7 CIEDE2000 off under fluorescent lamps.) On a 1 nm grid of
-/// whole nanometres, as CIE tables are, the numbers are the table's point values.
+/// whole nanometers, as CIE tables are, the numbers are the table's point values.
 ///
 /// `N * 4` bytes, nothing else; `Copy`, but pass it by reference.
 ///
@@ -25,7 +25,7 @@ use core::marker::PhantomData;
 #[repr(transparent)]
 pub struct Spectrum<Q, const N: usize, G = Bins<380, 730>>(pub(crate) [f32; N], PhantomData<(Q, G)>);
 
-/// Power of light for each nanometre.
+/// Power of light for each nanometer.
 pub type Light<const N: usize, G = Bins<380, 730>> = Spectrum<Power, N, G>;
 
 /// Reflectance, transmittance: a share 0..=1 of the light.
@@ -84,18 +84,18 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Spectrum(values, PhantomData)
     }
 
-    /// The same value in every bin: an equal-energy light, a grey filter.
+    /// The same value in every bin: an equal-energy light, a gray filter.
     #[must_use]
     pub const fn flat(value: f32) -> Self {
         Self::from_bins([value; N])
     }
 
-    /// From a function of the wavelength in nm, read at the centre of each bin: for 1 nm grids.
+    /// From a function of the wavelength in nm, read at the center of each bin: for 1 nm grids.
     #[must_use]
-    pub fn at_centres(mut value: impl FnMut(f32) -> f32) -> Self {
+    pub fn at_centers(mut value: impl FnMut(f32) -> f32) -> Self {
         let mut values = [0.0; N];
         for (k, v) in values.iter_mut().enumerate() {
-            *v = value(Self::centre_nm(k));
+            *v = value(Self::center_nm(k));
         }
         Self::from_bins(values)
     }
@@ -111,9 +111,9 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// ```
     #[must_use]
     pub fn averaged(mut value: impl FnMut(f32) -> f32) -> Self {
-        // The outer points lie sqrt(3/5) of half a bin from the centre; weights 5/18, 4/9, 5/18.
+        // The outer points lie sqrt(3/5) of half a bin from the center; weights 5/18, 4/9, 5/18.
         let outer = 0.387_298_33 * Self::WIDTH_NM;
-        Self::at_centres(|nm| {
+        Self::at_centers(|nm| {
             let middle = value(nm);
             let sides = (value(nm - outer) - middle) + (value(nm + outer) - middle);
             middle + sides * (5.0 / 18.0)
@@ -138,19 +138,19 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Layout::<G, N>::edge(k)
     }
 
-    /// The centre of bin `k`, in nm.
+    /// The center of bin `k`, in nm.
     #[must_use]
-    pub const fn centre_nm(k: usize) -> f32 {
-        Layout::<G, N>::centre(k)
+    pub const fn center_nm(k: usize) -> f32 {
+        Layout::<G, N>::center(k)
     }
 
-    /// This spectrum where the centres of its bins lie in `from_nm..=to_nm`, zero elsewhere.
+    /// This spectrum where the centers of its bins lie in `from_nm..=to_nm`, zero elsewhere.
     #[must_use]
     pub const fn within(&self, from_nm: f32, to_nm: f32) -> Self {
         let mut values = self.0;
         let mut k = 0;
         while k < N {
-            let nm = Self::centre_nm(k);
+            let nm = Self::center_nm(k);
             if nm < from_nm || nm > to_nm {
                 values[k] = 0.0;
             }
@@ -159,9 +159,9 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Self::from_bins(values)
     }
 
-    /// Pairs of (centre of the bin in nm, value).
+    /// Pairs of (center of the bin in nm, value).
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (f32, f32)> + '_ {
-        self.0.iter().enumerate().map(|(k, value)| (Self::centre_nm(k), *value))
+        self.0.iter().enumerate().map(|(k, value)| (Self::center_nm(k), *value))
     }
 
     /// The largest value; NaN if there is one.
@@ -192,7 +192,7 @@ impl<const N: usize, G: Grid> Spectrum<PerBin, N, G> {
         crate::sum::sum(&self.0)
     }
 
-    /// For each nanometre: what a bin holds over its width.
+    /// For each nanometer: what a bin holds over its width.
     ///
     /// ```
     /// # use nanospectra::{Bins, PerBin, Spectrum};

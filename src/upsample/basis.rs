@@ -10,7 +10,7 @@ use core::marker::PhantomData;
 
 /// Upsampling as r R + g G + b B with three spectra that sum to 1.
 ///
-/// The three are the smoothest that have the colours of the sRGB primaries under D65 on 5 nm and stay within
+/// The three are the smoothest that have the colors of the sRGB primaries under D65 on 5 nm and stay within
 /// 0.012..=0.976 (`tests/upsample/tables.rs` makes them, from CIE data alone). For the grid, light and space at
 /// hand they are mixed by a 3x3 matrix that makes them exact there.
 ///
@@ -18,7 +18,7 @@ use core::marker::PhantomData;
 /// included, and NaN stays NaN. Components above 4e37 in size overflow.
 ///
 /// # Accuracy
-/// The colour comes back within 1e-6, for N = 16 bands and more; greys are constant to the bit. sRGB colours are
+/// The color comes back within 1e-6, for N = 16 bands and more; grays are constant to the bit. sRGB colors are
 /// within 0..=1 from 31 bands on. Those of wider spaces are not: of Display P3 on 31 bands they reach -0.21..1.21, of
 /// Adobe RGB -0.38..1.38, of BT.2020 -0.62..1.62, of ACEScg -0.64..1.64 (`tests/upsample/single_colors.rs`).
 ///
@@ -80,7 +80,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Basis<N, G, S> {
         Basis { red, green, kind: PhantomData }
     }
 
-    /// The reflectance of a colour (linear RGB).
+    /// The reflectance of a color (linear RGB).
     #[must_use]
     #[inline]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Spectrum<Factor, N, G> {
@@ -94,7 +94,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Basis<N, G, S> {
     }
 }
 
-/// Red, green and blue at the centres of a grid.
+/// Red, green and blue at the centers of a grid.
 const fn spectra<const N: usize, G: Grid>() -> [[f64; N]; 3] {
     let mut columns = [[0.0; 81]; 2];
     let mut k = 0;

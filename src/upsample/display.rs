@@ -7,10 +7,10 @@ use crate::light::LED_B4_1NM;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Interpolation, Outside, Power, Spectrum};
 
-/// A display with three primaries whose spectra are known: the RGB it needs for a colour, and the light that
+/// A display with three primaries whose spectra are known: the RGB it needs for a color, and the light that
 /// leaves it then.
 ///
-/// Two displays that show the same colour emit different spectra, and agree only for the observer they were
+/// Two displays that show the same color emit different spectra, and agree only for the observer they were
 /// matched for.
 ///
 /// ```
@@ -34,10 +34,10 @@ pub struct Display<const N: usize, G = Bins<380, 730>> {
 const D65: [f64; 2] = [0.3127, 0.3290];
 
 impl<const N: usize, G: Grid> Display<N, G> {
-    /// From the measured spectra of red, green and blue at full drive, and the eye to match colours for; for
+    /// From the measured spectra of red, green and blue at full drive, and the eye to match colors for; for
     /// `const` use. In the units of both: W/sr/m2/nm and an eye times [`KM`](crate::observer::KM) make cd/m2.
     ///
-    /// Primaries whose colours lie on a line have no inverse, and their `rgb` means nothing.
+    /// Primaries whose colors lie on a line have no inverse, and their `rgb` means nothing.
     #[must_use]
     pub const fn new(primaries: [Spectrum<Power, N, G>; 3], eye: &Observer<3, N, Power, G>) -> Self {
         let seen = seen(&primaries, eye);
@@ -117,18 +117,18 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Spectrum::from_bins(values)
     }
 
-    /// The colour of that light to the eye it was made for.
+    /// The color of that light to the eye it was made for.
     #[must_use]
     pub const fn xyz(&self, rgb: [f32; 3]) -> Xyz {
         let [x, y, z] = apply(&self.to_xyz, rgb);
         Xyz { x, y, z }
     }
 
-    /// The linear RGB it needs for a colour, in the same units as [`xyz`](Self::xyz) gives; below 0 or above 1 if
+    /// The linear RGB it needs for a color, in the same units as [`xyz`](Self::xyz) gives; below 0 or above 1 if
     /// it cannot show it.
     #[must_use]
-    pub const fn rgb(&self, colour: Xyz) -> [f32; 3] {
-        apply(&self.from_xyz, colour.to_array())
+    pub const fn rgb(&self, color: Xyz) -> [f32; 3] {
+        apply(&self.from_xyz, color.to_array())
     }
 }
 
@@ -154,14 +154,14 @@ const fn seen<const N: usize, G: Grid>(
     matrix
 }
 
-/// (1 + d^2 / w^2)^-4 with w so that `half_nm` from the centre half is left.
-const fn bell<Q, const N: usize, G: Grid>(centre_nm: f64, half_nm: f64) -> Spectrum<Q, N, G> {
+/// (1 + d^2 / w^2)^-4 with w so that `half_nm` from the center half is left.
+const fn bell<Q, const N: usize, G: Grid>(center_nm: f64, half_nm: f64) -> Spectrum<Q, N, G> {
     // 2^(1/4) - 1
     const HALF: f64 = 0.189_207_115_002_721_07;
     let mut values = [0.0; N];
     let mut n = 0;
     while n < N {
-        let d = (Spectrum::<Q, N, G>::centre_nm(n) as f64 - centre_nm) / half_nm;
+        let d = (Spectrum::<Q, N, G>::center_nm(n) as f64 - center_nm) / half_nm;
         let base = 1.0 + HALF * d * d;
         let square = base * base;
         values[n] = (1.0 / (square * square)) as f32;

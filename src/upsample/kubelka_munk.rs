@@ -8,7 +8,7 @@ use crate::spectrum::{Factor, Spectrum};
 /// below 1e38).
 ///
 /// At each wavelength the ratio of absorption to scattering, (1 - R)^2 / 2R, is averaged by share: one
-/// constant, all paints scatter alike. Blue and yellow make green, where averaging the reflectances makes grey.
+/// constant, all paints scatter alike. Blue and yellow make green, where averaging the reflectances makes gray.
 /// Mixing nothing is NaN; a share of an ideal black makes black.
 ///
 /// # Accuracy

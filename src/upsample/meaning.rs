@@ -17,13 +17,13 @@ use crate::spectrum::{Factor, Power, Spectrum};
 pub struct SigmoidReflectance {
     /// The curve.
     pub shape: Shape,
-    /// What it is multiplied with; 0..=1, for greys up to 2 (their curve is 1/2).
+    /// What it is multiplied with; 0..=1, for grays up to 2 (their curve is 1/2).
     pub scale: f32,
-    /// Is it what is missing to 1? So it is for bright colours.
+    /// Is it what is missing to 1? So it is for bright colors.
     pub complement: bool,
 }
 
-/// Scale times a curve, of any size: a density, an emission, a colour above 1.
+/// Scale times a curve, of any size: a density, an emission, a color above 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SigmoidUnbounded {
@@ -59,7 +59,7 @@ impl SigmoidReflectance {
         offset + scale * self.shape.at(nm)
     }
 
-    /// The reflectance on a grid: the value at the centre of each bin, which is what the solver solved for.
+    /// The reflectance on a grid: the value at the center of each bin, which is what the solver solved for.
     ///
     /// # Cost
     /// 0.7 ns a sample for x86-64-v3, 1.5 for the default x86-64; 50 instructions on a Cortex-M4F.
@@ -71,7 +71,7 @@ impl SigmoidReflectance {
     }
 
     /// Four numbers, as a texture stores them: q0, q1, q2, and the scale with the bit as its sign. Those of sRGB fit f16;
-    /// steep curves of colours out of reach do not.
+    /// steep curves of colors out of reach do not.
     #[must_use]
     pub const fn to_texel(self) -> [f32; 4] {
         let [q0, q1, q2] = self.shape.q;

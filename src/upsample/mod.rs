@@ -1,7 +1,7 @@
-//! The way back: from an RGB or XYZ colour to a spectrum that has exactly that colour.
+//! The way back: from an RGB or XYZ color to a spectrum that has exactly that color.
 //!
 //! A renderer, a paint program or a lamp has an RGB and needs a spectrum. Endless spectra have the same
-//! colour; what is asked for is one that is possible (a reflectance within 0..=1), smooth, and exact: seen
+//! color; what is asked for is one that is possible (a reflectance within 0..=1), smooth, and exact: seen
 //! by the same eye under the same light it gives that RGB back, at every 8-bit code.
 //!
 //! ```
@@ -30,7 +30,7 @@
 //!
 //! | method | data, bytes | exact | within 0..=1 | linear | shape |
 //! |---|---|---|---|---|---|
-//! | [`Sigmoid`] | 16 N + 204 with [`Cubic`] | every colour that a sigmoid can have | always | in exposure | smoothest |
+//! | [`Sigmoid`] | 16 N + 204 with [`Cubic`] | every color that a sigmoid can have | always | in exposure | smoothest |
 //! | [`Basis`] | 8 N | always | for sRGB | yes | three broad bands |
 //! | [`Smits`] | 28 N | no: 0.9 CIEDE2000 in the mean | up to 1.015 | in pieces | ten steps |
 //!
@@ -41,7 +41,7 @@
 //! # Three meanings
 //!
 //! * [`SigmoidReflectance`]: what a surface reflects, 0..=1.
-//! * [`SigmoidUnbounded`]: the same shape times any number: a density, a colour that may be above 1.
+//! * [`SigmoidUnbounded`]: the same shape times any number: a density, a color that may be above 1.
 //! * [`SigmoidIlluminant`]: light: an unbounded one times the white that (1, 1, 1) stands for.
 //!
 //! Around it: [`Display`] (what a screen emits for an RGB), [`kubelka_munk`] (mixed paints) and

@@ -2,8 +2,8 @@
 //!
 //! A response is a = 1/2 + A/2 with A the weighted mean of p / sqrt(1 + p^2), and its slope along q is half
 //! the weighted mean of (1 + p^2)^-3/2 times x^2, x and 1: twelve sums over the grid. Sums run through the bins
-//! in order, one accumulator each, so a colour alone, in a batch and on any core adds up to the same bits;
-//! what is done at once is the twelve of them, or several colours.
+//! in order, one accumulator each, so a color alone, in a batch and on any core adds up to the same bits;
+//! what is done at once is the twelve of them, or several colors.
 
 use super::rsqrt::{rsqrt, rsqrt_near, unsigmoid};
 use super::shape::sigmoid;
@@ -21,7 +21,7 @@ const NEAR: f32 = 2e-3;
 const NEAR_IF_STEEP: f32 = 1e-4;
 /// Curves with more than this in all three numbers are steep; those of sRGB have 54 at most.
 const STEEP: f32 = 64.0;
-/// Undamped steps; sRGB colours on 31 bands or more need 6 at most.
+/// Undamped steps; sRGB colors on 31 bands or more need 6 at most.
 const STEPS: usize = 8;
 /// Damped steps, for what undamped ones do not find.
 const DAMPED_STEPS: usize = 40;
@@ -54,7 +54,7 @@ fn goal(responses: [f32; 3]) -> [f32; 3] {
     responses.map(|a| unsigmoid(within(a)))
 }
 
-/// The curve of one colour, if undamped steps find it; nothing else, for programs that must be small.
+/// The curve of one color, if undamped steps find it; nothing else, for programs that must be small.
 #[inline(always)]
 pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Option<[f32; 3]> {
     if !possible(responses) {
@@ -74,7 +74,7 @@ pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     None
 }
 
-/// The curve of one colour.
+/// The curve of one color.
 #[inline(always)]
 pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Found {
     match exact::<N, M>(rows, responses) {
@@ -83,7 +83,7 @@ pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     }
 }
 
-/// The curves of several colours, the same bits as one by one.
+/// The curves of several colors, the same bits as one by one.
 #[inline(always)]
 pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     rows: &Rows<N>,
@@ -251,7 +251,7 @@ fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32;
     [q0 * per_det, q1 * per_det, q2 * per_det]
 }
 
-/// The twelve sums of several colours. One loop over the lanes with all that is done for a bin in it: long enough
+/// The twelve sums of several colors. One loop over the lanes with all that is done for a bin in it: long enough
 /// for the compiler to make vectors of it, where loops of one operation each are unrolled to scalars first.
 #[inline(always)]
 fn some<const L: usize, const N: usize>(rows: &Rows<N>, [q0, q1, q2]: &[[f32; L]; 3]) -> [[[f32; L]; 4]; 3] {
@@ -281,14 +281,14 @@ fn some<const L: usize, const N: usize>(rows: &Rows<N>, [q0, q1, q2]: &[[f32; L]
     sums
 }
 
-/// The twelve sums of one colour, where there are no vectors.
+/// The twelve sums of one color, where there are no vectors.
 #[cfg(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128"))))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     some(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
 }
 
-/// The twelve sums of one colour. First every term, which goes several bins at a time; then the weights of a
+/// The twelve sums of one color. First every term, which goes several bins at a time; then the weights of a
 /// bin, three in a vector, times each of its terms. (The fourth, x times the term, is not used.)
 #[cfg(not(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128")))))]
 #[cfg_attr(target_arch = "wasm32", inline(never))]

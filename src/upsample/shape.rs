@@ -6,10 +6,10 @@ use crate::grid::{Grid, Layout};
 /// A smooth curve within 0..=1: the sigmoid of a quadratic in the wavelength.
 ///
 /// The three numbers are q0, q1, q2 of `sigma(q0 x^2 + q1 x + q2)` with x = (wavelength - 580 nm) / 200 nm,
-/// whatever the grid: a shape that was solved on one grid can be read on any other. Those of sRGB colours
+/// whatever the grid: a shape that was solved on one grid can be read on any other. Those of sRGB colors
 /// are at most 50 in size and so fit f16, at its three digits.
 ///
-/// Do not interpolate the numbers: the spectrum half way between two shapes is not that of the colour half
+/// Do not interpolate the numbers: the spectrum half way between two shapes is not that of the color half
 /// way. Interpolate RGB before, or spectra after.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -19,7 +19,7 @@ pub struct Shape {
 }
 
 /// x = 0, in nm.
-const CENTRE_NM: f64 = 580.0;
+const CENTER_NM: f64 = 580.0;
 /// x = 1 is this much above it, in nm.
 const REACH_NM: f64 = 200.0;
 
@@ -38,10 +38,10 @@ impl Shape {
     #[must_use]
     #[inline]
     pub fn at(self, nm: f32) -> f32 {
-        self.at_x((nm - CENTRE_NM as f32) * (1.0 / REACH_NM) as f32)
+        self.at_x((nm - CENTER_NM as f32) * (1.0 / REACH_NM) as f32)
     }
 
-    /// `offset + scale * curve` at the centres of the bins of a grid; eight at a time, the rest filled up to eight.
+    /// `offset + scale * curve` at the centers of the bins of a grid; eight at a time, the rest filled up to eight.
     #[inline]
     pub(super) fn on_grid<const N: usize, G: Grid>(self, offset: f32, scale: f32) -> [f32; N] {
         let eight = |x: &[f32; 8]| {
@@ -88,7 +88,7 @@ pub(super) fn sigmoid(p: f32) -> f32 {
     if p < 0.0 { small } else { large }
 }
 
-/// The centres of a grid as x.
+/// The centers of a grid as x.
 pub(super) struct X<G, const N: usize>(core::marker::PhantomData<G>);
 
 impl<G: Grid, const N: usize> X<G, N> {
@@ -96,8 +96,8 @@ impl<G: Grid, const N: usize> X<G, N> {
         let mut all = [0.0; N];
         let mut k = 0;
         while k < N {
-            let centre = Layout::<G, N>::START + (k as f64 + 0.5) * Layout::<G, N>::WIDTH;
-            all[k] = ((centre - CENTRE_NM) / REACH_NM) as f32;
+            let center = Layout::<G, N>::START + (k as f64 + 0.5) * Layout::<G, N>::WIDTH;
+            all[k] = ((center - CENTER_NM) / REACH_NM) as f32;
             k += 1;
         }
         all

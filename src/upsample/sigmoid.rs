@@ -18,22 +18,22 @@ use core::marker::PhantomData;
 /// start map `M`.
 ///
 /// # What goes in
-/// * Any grey is exactly that constant, black exactly 0, white exactly 1.
-/// * Components may be below 0 or above 1: a colour outside the RGB space is solved if a sigmoid has it.
-///   As reflectances, colours brighter than white become white and those darker than black black, and say so.
+/// * Any gray is exactly that constant, black exactly 0, white exactly 1.
+/// * Components may be below 0 or above 1: a color outside the RGB space is solved if a sigmoid has it.
+///   As reflectances, colors brighter than white become white and those darker than black black, and say so.
 /// * With a NaN or an infinity the spectrum is NaN, and the status says so.
-/// * `k` times a dark colour (largest component below 1/2) is `k` times its spectrum.
+/// * `k` times a dark color (largest component below 1/2) is `k` times its spectrum.
 ///
 /// # Accuracy
 /// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81 every one of the 2^24
-/// 8-bit sRGB colours comes back as its code, for the 2 degree eye, within 0.00042 (`Cubic`), 0.00035 (`Linear`) and 0.00034 CIEDE2000 (`Quintic`)
+/// 8-bit sRGB colors comes back as its code, for the 2 degree eye, within 0.00042 (`Cubic`), 0.00035 (`Linear`) and 0.00034 CIEDE2000 (`Quintic`)
 /// (`tests/upsample/all.rs`). Of a 17^3 cube, encoded by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020
 /// 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4 % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values
 /// of BT.1886 74.6 %); the others are outside what sigmoids of a quadratic can be, and say so. With fewer than 31
-/// bands, or wider than 10 nm, more colours need damped steps (N = 16: none of sRGB is missed).
+/// bands, or wider than 10 nm, more colors need damped steps (N = 16: none of sRGB is missed).
 ///
 /// # Cost
-/// 2 to 6 steps; 385 ns a colour in the mean at N = 31 on x86-64, 4500 instructions on a Cortex-M4F (7900 at
+/// 2 to 6 steps; 385 ns a color in the mean at N = 31 on x86-64, 4500 instructions on a Cortex-M4F (7900 at
 /// most).
 ///
 /// # Reference
@@ -49,15 +49,15 @@ pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = Cubic> {
     kind: PhantomData<(G, S, M)>,
 }
 
-/// A colour on its way to the solver.
+/// A color on its way to the solver.
 enum Task {
-    /// Nothing to solve: a constant, and whether it is the colour.
+    /// Nothing to solve: a constant, and whether it is the color.
     Done(f32, bool),
     /// Solve for `responses`; the reflectance is `scale` times that, or 1 minus so much.
     Solve { responses: [f32; 3], scale: f32, complement: bool },
 }
 
-/// How many colours the solver takes at once: eight fill the vectors of AVX, four those of SSE, where eight spill.
+/// How many colors the solver takes at once: eight fill the vectors of AVX, four those of SSE, where eight spill.
 #[cfg(any(target_feature = "avx", target_os = "none"))]
 const LANES: usize = 8;
 #[cfg(not(any(target_feature = "avx", target_os = "none")))]
@@ -75,11 +75,11 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// );
     /// static SIGMOID: Sigmoid<36, Bins<380, 730>, DisplayP3, Quintic> = Sigmoid::new(&VIEWING);
     /// assert_eq!(SIGMOID.reflectance(Rgb::new(0.9, 0.3, 0.2)).status, Status::Exact);
-    /// // No paint is as green as the green of Display P3 at full drive; grey has a part in what comes nearest.
+    /// // No paint is as green as the green of Display P3 at full drive; gray has a part in what comes nearest.
     /// let green = Rgb::new(0.0, 1.0, 0.0);
     /// assert!(matches!(SIGMOID.reflectance(green).status, Status::Unreachable(_)));
     /// assert!(matches!(SIGMOID.desaturated(green).status, Status::Desaturated { kept, .. } if kept > 0.8));
-    /// // As light it is no problem: at half the size it is a colour that a sigmoid has.
+    /// // As light it is no problem: at half the size it is a color that a sigmoid has.
     /// assert_eq!(SIGMOID.illuminant(green).status, Status::Exact);
     /// ```
     #[must_use]
@@ -122,7 +122,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// The reflectance that has exactly this colour (linear RGB, on 6 bands or more), if undamped steps find one: the solver alone, for
+    /// The reflectance that has exactly this color (linear RGB, on 6 bands or more), if undamped steps find one: the solver alone, for
     /// programs that must be small. The same bits as [`reflectance`](Self::reflectance).
     #[must_use]
     pub fn solve(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
@@ -135,7 +135,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// The reflectance of a colour (linear RGB). What no sigmoid has comes near by least squares: the primaries of
+    /// The reflectance of a color (linear RGB). What no sigmoid has comes near by least squares: the primaries of
     /// BT.2020 within 2.5 to 9.6 CIEDE2000. For components within 0..=1 that is in the mean nearer than
     /// [`desaturated`](Self::desaturated); above 1 the hue turns, and [`unbounded`](Self::unbounded) is what to take.
     #[must_use]
@@ -144,12 +144,12 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         self.made(rgb, task, |responses| newton::solve::<N, M>(&self.rows, responses))
     }
 
-    /// The reflectance of a colour; what no sigmoid has is mixed with the grey of its luminance until one has
-    /// it, to within 1/1000 of the way: same luminance, same direction from grey, less of it. What is brighter
+    /// The reflectance of a color; what no sigmoid has is mixed with the gray of its luminance until one has
+    /// it, to within 1/1000 of the way: same luminance, same direction from gray, less of it. What is brighter
     /// than white becomes white, what has a luminance below 0 black.
     ///
     /// # Cost
-    /// Of an unsolvable colour eleven times that of [`reflectance`](Self::reflectance), which is then 88 steps.
+    /// Of an unsolvable color eleven times that of [`reflectance`](Self::reflectance), which is then 88 steps.
     #[must_use]
     pub fn desaturated(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let first = self.reflectance(rgb);
@@ -179,7 +179,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         best
     }
 
-    /// The spectrum of any size whose curve is the colour's: for densities and for what is brighter than white.
+    /// The spectrum of any size whose curve is the color's: for densities and for what is brighter than white.
     #[must_use]
     pub fn unbounded(&self, rgb: Rgb<S>) -> Solved<SigmoidUnbounded> {
         let (_, largest) = range(rgb.to_array());
@@ -205,7 +205,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Solved { spectrum: SigmoidUnbounded { shape: solved.spectrum.shape, scale }, status }
     }
 
-    /// The light of a colour: [`unbounded`](Self::unbounded) times the white.
+    /// The light of a color: [`unbounded`](Self::unbounded) times the white.
     #[must_use]
     pub fn illuminant(&self, rgb: Rgb<S>) -> Solved<SigmoidIlluminant> {
         self.unbounded(rgb).map(|factor| SigmoidIlluminant { factor })
@@ -214,7 +214,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// Eight reflectances at once, the same bits as [`reflectance`](Self::reflectance) one by one.
     ///
     /// # Cost
-    /// 140 ns a colour at N = 31 for x86-64-v3, 295 ns for the default x86-64 target.
+    /// 140 ns a color at N = 31 for x86-64-v3, 295 ns for the default x86-64 target.
     #[must_use]
     pub fn reflectance_8(&self, rgb: &[Rgb<S>; 8]) -> [Solved<SigmoidReflectance>; 8] {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };
@@ -225,7 +225,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         all
     }
 
-    /// A reflectance for each colour, several at a time; the shorter of the two slices says how many.
+    /// A reflectance for each color, several at a time; the shorter of the two slices says how many.
     pub fn reflectance_each(&self, rgb: &[Rgb<S>], spectra: &mut [Solved<SigmoidReflectance>]) {
         let count = rgb.len().min(spectra.len());
         let (Some(rgb), Some(spectra)) = (rgb.get(..count), spectra.get_mut(..count)) else { return };
@@ -254,7 +254,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// What the solver has to do for a colour. (Written without `f32::max`, which is a call on a Cortex-M4F.)
+    /// What the solver has to do for a color. (Written without `f32::max`, which is a call on a Cortex-M4F.)
     #[inline(always)]
     fn task(&self, rgb: [f32; 3]) -> Task {
         let [r, g, b] = rgb;
@@ -303,7 +303,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             let miss = self.miss(asked, given.map(|a| 1.0 - scale * a));
             judged(miss, miss)
         } else {
-            // Dark colours are judged as bright as can be: else any would do.
+            // Dark colors are judged as bright as can be: else any would do.
             let miss = self.miss(asked, given.map(|a| scale * a));
             judged(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
         };
@@ -323,7 +323,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Solved { spectrum: SigmoidReflectance::gray(share), status }
     }
 
-    /// A colour and the responses it got.
+    /// A color and the responses it got.
     #[inline(never)]
     fn miss(&self, asked: Rgb<S>, given: [f32; 3]) -> Miss {
         Miss { asked: self.xyz_of(asked), given: self.xyz(given), white: self.xyz([1.0; 3]) }

@@ -1,4 +1,4 @@
-//! The classic: seven curves, and a colour as white plus what it has more of.
+//! The classic: seven curves, and a color as white plus what it has more of.
 
 use super::tables::SMITS;
 use crate::color::Rgb;
@@ -13,9 +13,9 @@ use core::marker::PhantomData;
 /// through white alone, or through white and one of cyan, magenta, yellow.
 ///
 /// # Accuracy
-/// It does not give the colour back, not even to 8 bits: 0.9 CIEDE2000 in the mean and up to 2.1 under
-/// D65. What it is for a colour at hand is
-/// [`Viewing::delta_e`](super::Viewing::delta_e). Values reach 1.015, and a grey ripples by 8e-4.
+/// It does not give the color back, not even to 8 bits: 0.9 CIEDE2000 in the mean and up to 2.1 under
+/// D65. What it is for a color at hand is
+/// [`Viewing::delta_e`](super::Viewing::delta_e). Values reach 1.015, and a gray ripples by 8e-4.
 ///
 /// # Cost
 /// 28 N bytes.
@@ -57,7 +57,7 @@ impl<const N: usize, G: Grid> Smits<N, G> {
         Smits { curves, grid: PhantomData }
     }
 
-    /// The reflectance of a colour (linear RGB); NaN in any component is NaN everywhere.
+    /// The reflectance of a color (linear RGB); NaN in any component is NaN everywhere.
     #[must_use]
     pub fn reflectance<S>(&self, rgb: Rgb<S>) -> Spectrum<Factor, N, G> {
         let [white, cyan, magenta, yellow, red, green, blue] = &self.curves;

@@ -14,7 +14,7 @@ pub trait StartMap: Copy + core::fmt::Debug + Default + 'static + Start {
     const BYTES: usize;
 }
 
-/// 36 bytes; at N = 31 5700 instructions a colour on a Cortex-M4F in the mean, 9300 at most.
+/// 36 bytes; at N = 31 5700 instructions a color on a Cortex-M4F in the mean, 9300 at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Linear;
 /// 156 bytes; 4500 instructions in the mean, 7900 at most.

@@ -1,4 +1,4 @@
-//! How well a colour could be met.
+//! How well a color could be met.
 
 use crate::color::{Cie94, Xyz, cie76, cie94};
 
@@ -8,21 +8,21 @@ use crate::color::{Cie94, Xyz, cie76, cie94};
 pub struct Solved<T> {
     /// The spectrum.
     pub spectrum: T,
-    /// Has it the colour?
+    /// Has it the color?
     pub status: Status,
 }
 
-/// Has the spectrum the colour that was asked for?
+/// Has the spectrum the color that was asked for?
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Status {
     /// Yes: within 0.002 CIEDE2000.
     Exact,
-    /// No sigmoid has it; this one is that much of the way to it from the grey of its luminance, or black or white
+    /// No sigmoid has it; this one is that much of the way to it from the gray of its luminance, or black or white
     /// where that is none.
     Desaturated {
-        /// How much of the way from grey to the colour, 0..1.
+        /// How much of the way from gray to the color, 0..1.
         kept: f32,
         /// Where that is, beside what was asked for.
         miss: Miss,
@@ -34,7 +34,7 @@ pub enum Status {
     NotFinite,
 }
 
-/// Two colours: the one asked for and the one the spectrum has; Y = 1 for white.
+/// Two colors: the one asked for and the one the spectrum has; Y = 1 for white.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Miss {

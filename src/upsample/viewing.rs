@@ -75,7 +75,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
         Rgb::new(r, g, b)
     }
 
-    /// CIEDE2000 between a colour that was asked for and a surface that should have it.
+    /// CIEDE2000 between a color that was asked for and a surface that should have it.
     ///
     /// NaN if the RGB is.
     #[cfg(feature = "libm")]

@@ -1,4 +1,4 @@
-//! Correlated colour temperature: every point that has one gets it, every other point gets a reason.
+//! Correlated color temperature: every point that has one gets it, every other point gets a reason.
 
 use model::allowed::check;
 use model::cct::{cct as nearest, planckian};

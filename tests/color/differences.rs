@@ -1,4 +1,4 @@
-//! Colour differences: Sharma's 34 pairs, golden 05, the model, symmetry and the hard cases.
+//! Color differences: Sharma's 34 pairs, golden 05, the model, symmetry and the hard cases.
 
 use model::allowed::{Singles, check};
 use model::csv::golden;
@@ -42,10 +42,10 @@ fn plain_differences_agree() {
     all.into_iter().for_each(|(_, check)| check.tight(1552));
 }
 
-/// How many [`pairs`] there are; the other 44 are the same colour twice in f32.
+/// How many [`pairs`] there are; the other 44 are the same color twice in f32.
 const PAIRS: usize = 39_955;
 
-/// Pairs of different colours all over the place, from far apart to 1e-5 apart.
+/// Pairs of different colors all over the place, from far apart to 1e-5 apart.
 fn pairs() -> impl Iterator<Item = (Lab, Lab)> {
     // a low-discrepancy sequence: the multiples of six irrational numbers
     let steps = [0.754_877_66, 0.569_840_29, 0.414_213_56, 0.732_050_8, 0.236_067_98, 0.645_751_3_f64];
@@ -56,7 +56,7 @@ fn pairs() -> impl Iterator<Item = (Lab, Lab)> {
             let apart = 10f64.powf(f64::from(k % 8) - 5.0);
             let move_by = |v: f32, t: f64| v + (apart * (2.0 * t - 1.0)) as f32;
             let near = Lab::new(move_by(x.l, d), move_by(x.a, e), move_by(x.b, f));
-            // and every ninth with one of the two next to grey
+            // and every ninth with one of the two next to gray
             let shrink = (0.1 * apart) as f32;
             match k % 9 {
                 0 => (x, Lab::new(near.l, near.a * shrink, near.b * shrink)),
@@ -172,11 +172,11 @@ mod de00 {
     }
 
     #[test]
-    fn greys_and_large_chromas_are_finite() {
-        let grey = Lab::new(50.0, 0.0, 0.0);
-        assert_eq!(ciede2000(grey, grey), 0.0);
+    fn grays_and_large_chromas_are_finite() {
+        let gray = Lab::new(50.0, 0.0, 0.0);
+        assert_eq!(ciede2000(gray, gray), 0.0);
         assert_eq!(ciede2000(Lab::default(), Lab::new(100.0, 0.0, 0.0)), 100.0);
-        assert_eq!(ciede2000(grey, Lab::new(50.0, -0.0, -0.0)), 0.0);
+        assert_eq!(ciede2000(gray, Lab::new(50.0, -0.0, -0.0)), 0.0);
         let mut large = check("dE00 of large chromas");
         for size in [1e2_f32, 1e3, 1e5, 3.2e5, 1e6, 1e9] {
             for (p, q) in [(1.0, 0.3), (-0.7, 0.9), (0.1, -1.0)] {
@@ -219,7 +219,7 @@ mod de00 {
     }
 }
 
-/// Colours as they are, and up to 1e9.
+/// Colors as they are, and up to 1e9.
 fn any_lab() -> impl Strategy<Value = Lab> {
     prop_oneof![
         [0.0_f32..100.0, -120.0_f32..120.0, -120.0_f32..120.0].prop_map(|[l, a, b]| Lab::new(l, a, b)),

@@ -1,4 +1,4 @@
-//! What a spectrum means: chromaticity, colour temperature, colour spaces, differences, rendering.
+//! What a spectrum means: chromaticity, color temperature, color spaces, differences, rendering.
 
 mod cct;
 mod differences;

@@ -1,4 +1,4 @@
-//! Colour rendering against the goldens: CIE 13.3 and TM-30-18.
+//! Color rendering against the goldens: CIE 13.3 and TM-30-18.
 #![cfg(feature = "libm")]
 
 use model::allowed::check;
@@ -44,11 +44,11 @@ fn cri_is_that_of_the_goldens() {
 
 /// The references below 5000 K are series; a black body of any of their temperatures is its own.
 #[test]
-fn black_bodies_render_colours_perfectly() {
+fn black_bodies_render_colors_perfectly() {
     let mut r = check("R1 to R15 of black bodies");
     let kelvins = (1001..4999).step_by(31);
     for kelvin in kelvins.clone() {
-        let light = Fine::at_centres(|nm| blackbody_relative(nm, kelvin as f32));
+        let light = Fine::at_centers(|nm| blackbody_relative(nm, kelvin as f32));
         for value in cri(&light).expect("a white").r {
             r.value(&format!("{kelvin} K"), value.into(), 100.0);
         }
@@ -56,14 +56,14 @@ fn black_bodies_render_colours_perfectly() {
     r.tight(15 * kelvins.count());
 }
 
-/// Every nanometre counts, at the ends of the range as in the middle of a step of 5 nm between two samples.
+/// Every nanometer counts, at the ends of the range as in the middle of a step of 5 nm between two samples.
 #[test]
 fn a_line_anywhere_shows_in_every_sample() {
     let method = Method::new(Mode::OneNm);
     let mut r = check("R1 to R14 of lights with a line");
     let lines = (360..=830).step_by(3).chain([361, 362, 364, 826, 828, 829, 830]);
     for nm in lines.clone() {
-        let mut light = Fine::at_centres(|nm| blackbody_relative(nm, 4000.0));
+        let mut light = Fine::at_centers(|nm| blackbody_relative(nm, 4000.0));
         let height = if (400..=700).contains(&nm) { 5.0 } else { 1e3 };
         if let Some(value) = light.values_mut().get_mut(nm - 360) {
             *value += height;
@@ -121,7 +121,7 @@ fn tm30_is_that_of_the_goldens() {
 }
 
 #[test]
-fn darkness_and_colours_have_no_rendering() {
+fn darkness_and_colors_have_no_rendering() {
     assert_eq!(cri(&Fine::flat(0.0)), Err(RenderingError::Dark));
     assert_eq!(tm30(&Fine::flat(0.0)), Err(RenderingError::Dark));
     let mut green = Fine::flat(0.0);

@@ -90,16 +90,16 @@ fn lab_luv_and_oklab_of_any_color_agree() {
 }
 
 #[test]
-fn a_near_grey_is_as_certain_as_any_color() {
-    let mut near_grey = check("Lab within 1 of grey, model");
+fn a_near_gray_is_as_certain_as_any_color() {
+    let mut near_gray = check("Lab within 1 of gray, model");
     for k in 0..20_000 {
         let y = 0.009 + 0.991 * (k as f32 / 20_000.0);
         let off = 1.0 + 1e-3 * ((k * 37 % 101) as f32 / 50.0 - 1.0);
         let color = Xyz::new(D65.x * y * off, y, D65.z * y / off);
         let lab = lab_array(color.lab(D65).expect("a white"));
-        near_grey.add_all(&format!("{y}"), lab, model::lab::lab(wide(color), wide(D65)));
+        near_gray.add_all(&format!("{y}"), lab, model::lab::lab(wide(color), wide(D65)));
     }
-    near_grey.tight(3 * 20_000);
+    near_gray.tight(3 * 20_000);
 }
 
 #[cfg(feature = "libm")]
@@ -124,7 +124,7 @@ fn polar_lab_agrees() {
 
 #[cfg(feature = "libm")]
 #[test]
-fn hue_is_an_angle_below_a_full_turn_and_zero_for_grey() {
+fn hue_is_an_angle_below_a_full_turn_and_zero_for_gray() {
     for (a, b, h_deg) in [
         (0.0, 0.0, 0.0),
         (-0.0, -0.0, 0.0),
@@ -201,9 +201,9 @@ fn lab_relative_to_a_red_laser_is_undefined_but_luv_is_not() {
     assert_eq!(D65.lab(Xyz::default()), None);
     assert_eq!(D65.luv(Xyz::default()), None);
     assert_eq!(D65.lab(Xyz::new(1.0, -1.0, 1.0)), None);
-    // a colour without chromaticity that is not black
+    // a color without chromaticity that is not black
     assert_eq!(Xyz::new(-1.0, 0.01, 0.0).luv(D65), None);
-    // no luminance, no colour
+    // no luminance, no color
     assert_eq!(Xyz::new(1.0, 0.0, 0.0).luv(D65), Some(Luv::default()));
 }
 
@@ -270,15 +270,15 @@ proptest! {
         let mut color = [other; 3];
         color[which] = f32::NAN;
         let color = Xyz::from(color);
-        let grey = Xyz::new(0.5, 0.5, 0.5);
+        let gray = Xyz::new(0.5, 0.5, 0.5);
         let lab = color.lab(D65).expect("NaN is no reason for None");
         prop_assert!(lab.l.is_nan() || lab.a.is_nan() || lab.b.is_nan());
-        let lab = grey.lab(color).expect("NaN is no reason for None");
+        let lab = gray.lab(color).expect("NaN is no reason for None");
         prop_assert!(lab.l.is_nan() || lab.a.is_nan() || lab.b.is_nan());
         let luv = color.luv(D65).expect("NaN is no reason for None");
         prop_assert!(luv.u.is_nan());
         prop_assert!(color.oklab().l.is_nan());
         prop_assert!(Rgb::<Srgb>::from_xyz(color).r.is_nan());
-        prop_assert!(Adaptation::between::<Bradford>(color, D65).expect("NaN is no reason").apply(grey).x.is_nan());
+        prop_assert!(Adaptation::between::<Bradford>(color, D65).expect("NaN is no reason").apply(gray).x.is_nan());
     }
 }

@@ -1,4 +1,4 @@
-//! Where a rendering textbook's chapter on colour slips, and what is right. (Others of its slips are held where they
+//! Where a rendering textbook's chapter on color slips, and what is right. (Others of its slips are held where they
 //! belong: one cosine in irradiance and 683 lm/W in `radiometry`, theta and phi in `directions`, reflectances of the
 //! same direction in `brdf`.)
 
@@ -26,10 +26,10 @@ fn tristimulus_values_are_inner_products_and_no_coefficients() {
     let light: Light<81, Grid> = D65.resample(nanospectra::Outside::Zero);
     let xy = |light| Xyz::from(EYE.sees(light)).xy().map(|xy| [xy.x, xy.y]).expect("visible");
     let distance = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    // X x-bar + Y y-bar + Z z-bar is neither the spectrum nor a spectrum of that colour: it is pink.
+    // X x-bar + Y y-bar + Z z-bar is neither the spectrum nor a spectrum of that color: it is pink.
     let wrong = sum_of_rows(&light);
     assert!(distance(xy(&wrong), xy(&light)) > 0.03, "{:?} {:?}", xy(&wrong), xy(&light));
-    // With the amounts that solve for the colour, which Cohen's matrix has, it is of that colour, and still not D65.
+    // With the amounts that solve for the color, which Cohen's matrix has, it is of that color, and still not D65.
     let right = CohenR::new(&EYE).fundamental(&light);
     assert!(distance(xy(&right), xy(&light)) < 1e-6);
     assert!((right.values()[0] - light.values()[0]).abs() > 0.5 * light.values()[0]);

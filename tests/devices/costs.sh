@@ -93,7 +93,7 @@ inside() {
         grep -E "$f64" >/dev/null || fail "$label: the search for soft f64 is blind"
 }
 
-# Images that print "what number unit" (no unit: instructions), and those whose flash has a price. Colours to spectra
+# Images that print "what number unit" (no unit: instructions), and those whose flash has a price. Colors to spectra
 # are not counted on the M0: one takes more than its counter can hold.
 counting="count surface_count path_count path_folded yardsticks backends price price_whole"
 counting_elsewhere="upsample_count"
@@ -141,12 +141,12 @@ for profile in release small; do
 done
 
 # A path of factors costs what the loop by hand costs, and brings nothing along of the effects that are not in it.
-effects='fluorescen|onaldson|polaris|Polaris|phosphor|Phosphor'
+effects='fluorescen|onaldson|polariz|Polariz|phosphor|Phosphor'
 for profile in release small; do
     no_panic $m4f $profile path_plain
     label="$m4f $profile: path_plain" images=$CARGO_TARGET_DIR/$m4f/$profile
     if [[ -e $images/path_plain && -e $images/path_count ]] && have nm; then
-        lacks "$label" "$images/path_plain" "fluorescence or polarisation" "$effects"
+        lacks "$label" "$images/path_plain" "fluorescence or polarization" "$effects"
         nm "$images/path_count" | grep -E "$effects" >/dev/null || fail "$label: the search for effects is blind"
     else
         skip "$label: no look for effects, not built, or nm is not installed"

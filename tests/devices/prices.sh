@@ -1,7 +1,7 @@
 # The price list for the README: what is on record, as tables.
 
 # prices <file>: instructions of each call on each core, "release / small"; then stack and flash likewise; then the
-# functions of each maths backend on each core.
+# functions of each math backend on each core.
 prices() {
     local unit target
     for unit in instructions stack-bytes bytes; do
@@ -12,7 +12,7 @@ prices() {
                 title["bytes"] = "bytes of flash"
                 count = split(cores, core, " ")
             }
-            /^#/ || $5 != unit || $3 ~ /^maths-.*-/ { next }
+            /^#/ || $5 != unit || $3 ~ /^math-.*-/ { next }
             # Code and tables of an image are one price.
             { what = $3; sub(/-(code|tables)$/, "", what) }
             !(what in known) { known[what] = 1; name[++names] = what }
@@ -33,7 +33,7 @@ prices() {
     for target in $boards; do
         awk -v core=$target '
             BEGIN { count = split("fast portable libm micromath", backend, " ") }
-            $1 != core || !match($3, /^maths-.*-/) { next }
+            $1 != core || !match($3, /^math-.*-/) { next }
             { what = substr($3, 7, RLENGTH - 7); by = substr($3, RLENGTH + 1) }
             !(what in known) { known[what] = 1; name[++names] = what }
             { price[what, by, $2] = $4 }

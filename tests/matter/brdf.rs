@@ -24,7 +24,7 @@ fn facets<F>(alpha: f32, boundary: F) -> Microfacet<F> {
     Microfacet { facets: TrowbridgeReitz::new(alpha), boundary }
 }
 
-/// A BRDF that no matter has: it favours one side.
+/// A BRDF that no matter has: it favors one side.
 struct OneWay;
 
 impl Brdf for OneWay {

@@ -69,8 +69,8 @@ fn xyz(reflectance: &Fine<Factor>) -> [f32; 3] {
 }
 
 #[test]
-fn the_colours_of_films_agree_with_the_golden() {
-    let mut check = check("colours of films, golden 10");
+fn the_colors_of_films_agree_with_the_golden() {
+    let mut check = check("colors of films, golden 10");
     let mut rows = 0;
     for row in golden("10_thin_film_colour").rows() {
         let [d, degrees] = row.numbers(["d_nm", "theta_deg"]);
@@ -86,11 +86,11 @@ fn the_colours_of_films_agree_with_the_golden() {
         let layer = Layer { medium: Medium { n: n1, k: 0.0 }, thickness_nm: d as f32 };
         let stack =
             Stack { incident: n0, layers: [layer], substrate: substrate.unwrap_or(Medium { n: n2, k: 0.0 }) };
-        let as_stack = Fine::at_centres(|nm| Shares::mean(stack.at(nm, cos)).reflected);
+        let as_stack = Fine::at_centers(|nm| Shares::mean(stack.at(nm, cos)).reflected);
         check.cells(row, ["X", "Y", "Z"], xyz(&as_stack).map(f64::from));
         rows += 1;
         if substrate.is_none() {
-            let as_film = Fine::at_centres(|nm| Shares::mean(film.at(nm, cos)).reflected);
+            let as_film = Fine::at_centers(|nm| Shares::mean(film.at(nm, cos)).reflected);
             check.cells(row, ["X", "Y", "Z"], xyz(&as_film).map(f64::from));
             rows += 1;
         }
@@ -108,7 +108,7 @@ fn a_quarter_wave_of_magnesium_fluoride_leaves_1_26_per_cent() {
     assert!((s.reflected - 0.08 / 1.04).abs() < 1e-7, "{s:?}");
 }
 
-/// Means over bins against the points, all shares of both polarisations; returns how many were compared.
+/// Means over bins against the points, all shares of both polarizations; returns how many were compared.
 fn means<const N: usize, G: nanospectra::Grid>(
     check: &mut model::check::Check,
     indices: [f32; 3],
@@ -133,7 +133,7 @@ fn means<const N: usize, G: nanospectra::Grid>(
     4 * N
 }
 
-/// Films from a nanometre to a tenth of a millimetre, in wide and in narrow bins.
+/// Films from a nanometer to a tenth of a millimeter, in wide and in narrow bins.
 fn all_means(name: &'static str, indices: [f32; 3], cosines: [f32; 2]) {
     let mut check = check(name);
     let mut compared = 0;
@@ -303,7 +303,7 @@ fn what_is_no_film_is_nan_and_the_edges_of_what_is_are_defined() {
 }
 
 #[test]
-fn newtons_colours_come_in_their_order() {
+fn newtons_colors_come_in_their_order() {
     // Soap, seen straight: black, white, yellow of the first order, then blue before green of the second.
     let color = |d: f32| {
         let film: Fine<Factor> = ThinFilm::new([1.0, 1.33, 1.0], d).reflectance(1.0);

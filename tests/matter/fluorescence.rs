@@ -95,7 +95,7 @@ fn lamp(id: &str) -> (Vec<f64>, Fine<Power>) {
 }
 
 fn spectral<Q, const N: usize, G: Grid>(f: impl Fn(f64) -> f64) -> Spectrum<Q, N, G> {
-    Spectrum::at_centres(|nm| f(nm.into()) as f32)
+    Spectrum::at_centers(|nm| f(nm.into()) as f32)
 }
 
 /// The largest CIEDE2000 between the vest in `N` bins and at 1 nm, each on its own white, under all lights.
@@ -139,7 +139,7 @@ fn a_vest_in_16_bins_is_about_the_vest_at_1_nm() {
     vest_in_bins::<16>("vest in 16 bins, CIEDE2000");
 }
 
-/// Folded at 1 nm, lamp and all, a vest keeps its colour at every number of bins.
+/// Folded at 1 nm, lamp and all, a vest keeps its color at every number of bins.
 #[test]
 fn a_vest_folded_at_1_nm_is_exact_at_any_number_of_bins() {
     fn compare<const N: usize>(check: &mut Check, seen: &FineObserver<3, Factor>, truth: [f64; 3], id: &str) {
@@ -302,8 +302,8 @@ fn the_dye_gives_back_its_quantum_yield_in_photons() {
     // In few bins the mean of wavelength times power is not the product of their means: 0.1 %.
     let coarse: Dye<31> = fine.resample();
     let bin = 5;
-    let centre = f64::from(Light::<31>::centre_nm(bin));
-    let ratio = yields(&coarse, bin) / (absorption(centre) * QUANTUM_YIELD);
+    let center = f64::from(Light::<31>::center_nm(bin));
+    let ratio = yields(&coarse, bin) / (absorption(center) * QUANTUM_YIELD);
     assert!((ratio - 1.0).abs() < 2e-3, "{ratio}");
 }
 

@@ -30,7 +30,7 @@ fn thin_absorbers_keep_what_they_absorb() {
 }
 
 #[test]
-fn the_phase_of_a_film_is_right_up_to_ten_centimetres() {
+fn the_phase_of_a_film_is_right_up_to_ten_centimeters() {
     let mut check = check("cosine of a film's phase");
     for nd in [1e4f32, 1e6, 1e8] {
         for n in [1.0f32, 1.33, 1.517, 2.4] {
@@ -89,7 +89,7 @@ impl FinestEye {
     fn sees(&self, d: f64) -> [[f64; 3]; 2] {
         let (mut film, mut white) = ([0.0; 3], [0.0; 3]);
         for nm in 360..830 {
-            // Straight lines between the nanometres of the tables: end values suffice.
+            // Straight lines between the nanometers of the tables: end values suffice.
             let weights = [0, 1].map(|end| {
                 let nm = f64::from(nm + end);
                 self.rows.each_ref().map(|row| row.at(nm) * self.light.at(nm))
@@ -109,13 +109,13 @@ impl FinestEye {
     }
 }
 
-/// CIEDE2000 of a soap film in N bins against 0.001 nm: averaged, and read at the centres.
+/// CIEDE2000 of a soap film in N bins against 0.001 nm: averaged, and read at the centers.
 fn differences<const N: usize>([truth, white]: [[f64; 3]; 2], d: f32) -> [f64; 2] {
     let d65 = D65.interpolate(Interpolation::Linear, Outside::Zero);
     let eye: Observer<3, N> = CIE_1931.under(&d65).fold(Curve::Spline).with_white_y(100.0);
     let film = ThinFilm::new([1.0f32, 1.33, 1.0], d);
     let averaged: Reflectance<N> = film.reflectance(1.0);
-    let points = Reflectance::<N>::at_centres(|nm| Shares::mean(film.at(nm, 1.0)).reflected);
+    let points = Reflectance::<N>::at_centers(|nm| Shares::mean(film.at(nm, 1.0)).reflected);
     [averaged, points].map(|reflectance| {
         let seen = eye.sees(&reflectance).map(f64::from);
         de2000(lab(truth, white), lab(seen, white))
@@ -123,9 +123,9 @@ fn differences<const N: usize>([truth, white]: [[f64; 3]; 2], d: f32) -> [f64; 2
 }
 
 #[test]
-fn the_colour_of_a_thick_film_needs_the_mean_over_bins() {
+fn the_color_of_a_thick_film_needs_the_mean_over_bins() {
     let eye = FinestEye::new();
-    let mut check = check("colour of a soap film of 1 mm, CIEDE2000");
+    let mut check = check("color of a soap film of 1 mm, CIEDE2000");
     for d in [1e6f32, 1.0003e6, 2e4, 5e3] {
         let truth = eye.sees(d.into());
         let all = [differences::<16>(truth, d), differences::<31>(truth, d), differences::<60>(truth, d)];

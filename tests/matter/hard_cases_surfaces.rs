@@ -4,7 +4,7 @@
 use model::allowed::{Singles, check};
 use model::check::{Check, EPS};
 use model::csv::golden;
-use model::fresnel::{absorbed, amplitudes, reflectances, unpolarised};
+use model::fresnel::{absorbed, amplitudes, reflectances, unpolarized};
 use model::surface;
 use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};
 use nanospectra::matter::scattering::rho_hd;
@@ -38,7 +38,7 @@ fn fresnel_agrees_with_the_golden() {
         let pairs =
             [(metal.fresnel(cos_i), metal.entering(cos_i)), (glass.fresnel(cos_i), glass.entering(cos_i))];
         for (got, enters) in pairs.into_iter().take(if k2 == 0.0 { 2 } else { 1 }) {
-            reflected.cells(row, ["Rs", "Rp", "R_unpol"], [got.s, got.p, got.unpolarised()].map(f64::from));
+            reflected.cells(row, ["Rs", "Rp", "R_unpol"], [got.s, got.p, got.unpolarized()].map(f64::from));
             entering.cells(row, ["Ts", "Tp"], [enters.s, enters.p].map(f64::from));
             compared += 1;
         }
@@ -216,7 +216,7 @@ fn eight_rings_give_the_diffuse_reflectance_of_glass() {
     let flux = GaussLegendre::<8, 1>.integrate_projected(|w| glass.reflectance(w.cos_theta()));
     let steps = 200_000;
     let cosines = (0..steps).map(|k| (f64::from(k) + 0.5) / f64::from(steps));
-    let exact: f64 = cosines.map(|c| 2.0 * c * unpolarised([1.5, 0.0], c)).sum::<f64>() / f64::from(steps);
+    let exact: f64 = cosines.map(|c| 2.0 * c * unpolarized([1.5, 0.0], c)).sum::<f64>() / f64::from(steps);
     assert!((exact - 0.091_778_0).abs() < 1e-7, "{exact}");
     check.add("n = 1.5", flux / std::f32::consts::PI, exact);
     check.tight(1);
@@ -325,7 +325,7 @@ fn visible_normals_find_the_light_at_every_roughness() {
         }
         furnace.value(&place, sum, 1.0);
         assert!((0.98..=1.000_001).contains(&sum), "{place}: {sum}");
-        // As a rule has it, where the density has cancelled.
+        // As a rule has it, where the density has canceled.
         assert!((0.999_999..=1.0).contains(&shares), "{place}: {shares}");
 
         let white = Microfacet { facets, boundary: 1.0 };

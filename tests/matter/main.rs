@@ -6,7 +6,7 @@ mod films_properties;
 mod fluorescence;
 mod hard_cases_films;
 mod hard_cases_surfaces;
-mod polarisation;
+mod polarization;
 mod slab;
 mod surfaces_swept;
 mod volumes;

@@ -1,11 +1,11 @@
-//! A coloured window: its two faces and what goes to and fro between them, beam by beam.
+//! A colored window: its two faces and what goes to and fro between them, beam by beam.
 #![cfg(feature = "libm")]
 
 use model::allowed::{Singles, check};
 use model::check::EPS;
 use model::fresnel::reflectances;
 use nanospectra::matter::{
-    Absorber, AbsorberError, Dielectric, Glass, N_BK7, Polariser, Shares, Slab, internal_transmittance,
+    Absorber, AbsorberError, Dielectric, Glass, N_BK7, Polarizer, Shares, Slab, internal_transmittance,
 };
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, Spectrum};
@@ -44,7 +44,7 @@ fn model(index: f32, per_m: f32, thickness: f32, cos: f32) -> [[f64; 3]; 2] {
 }
 
 #[test]
-fn half_grey_glass_has_the_textbooks_numbers() {
+fn half_gray_glass_has_the_textbooks_numbers() {
     let tint = Absorber::from_transmittance(&Reflectance::<4>::flat(0.5), 3e-3).expect("a glass");
     let window = Slab { index: Spectrum::flat(1.5), absorber: tint, thickness_m: 3e-3 };
     let [r, t, a] = all(&window, 1.0).map(|share| share.values()[0]);
@@ -228,16 +228,16 @@ fn what_no_glass_lets_through_is_refused() {
 }
 
 #[test]
-fn a_tilted_window_polarises() {
+fn a_tilted_window_polarizes() {
     let cos = 0.342_020_14; // 70 degrees
     let pane = slab([1.5; 31], [50.0; 31], 4e-3);
     let [s, p] = pane.components(cos, |shares| shares.transmitted);
-    let tilted = Polariser::new(&p, &s, 0.25);
+    let tilted = Polarizer::new(&p, &s, 0.25);
     let sun = Light::flat(1.0);
-    let [i, q, u, v] = sun.polarised().through(&tilted).stokes_at(15);
+    let [i, q, u, v] = sun.polarized().through(&tilted).stokes_at(15);
     assert!((i - pane.transmittance(cos).values()[15]).abs() < 1e-7);
     assert!(q < -0.1 * i && u.abs() < 1e-6 && v == 0.0, "{q} {u} {v}");
-    // U of light polarised askew, as a field: both amplitudes of each beam, and beams add as powers.
+    // U of light polarized askew, as a field: both amplitudes of each beam, and beams add as powers.
     let [sigma, d] = [50.0f64, f64::from(4e-3f32)];
     let inside = (-sigma * d / (1.0 - 0.883_022_2 / 2.25_f64).sqrt()).exp();
     let face = Dielectric::new(1.5).fresnel(cos);

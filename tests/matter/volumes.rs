@@ -112,7 +112,7 @@ fn air_scatters_as_bodhaine_says() {
 }
 
 #[test]
-fn a_kilometre_of_air_takes_blue_from_the_beam() {
+fn a_kilometer_of_air_takes_blue_from_the_beam() {
     let air = Absorber::<31>::air();
     // The middle bin lies around 555 nm: the golden's cross-section times its molecules.
     let green = air.per_m()[15];
@@ -132,7 +132,7 @@ fn what_air_scatters_goes_somewhere() {
         let at = |cos: f32| f64::from(rayleigh_phase(cos, king));
         let sum = 2.0 * PI * (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 3.0;
         assert!((sum - 1.0).abs() < 2e-7, "{king}: {sum}");
-        // Depolarisation: (1 + rho) for unpolarised light at right angles over along it, by Bucholtz' table 1.06.
+        // Depolarization: (1 + rho) for unpolarized light at right angles over along it, by Bucholtz' table 1.06.
         assert!(at(0.0) < at(1.0) && at(1.0) == at(-1.0));
     }
     let rho = 6.0 * 0.0488 / (7.0 * 1.0488 + 3.0f64);
@@ -233,7 +233,7 @@ fn a_share_of_burleys_light_has_its_distance() {
     assert!([-0.1, 1.1, f32::NAN].into_iter().all(|share| burley_distance(share).is_nan()));
 }
 
-/// Fresnel's reflectance for unpolarised light from outside, textbook form.
+/// Fresnel's reflectance for unpolarized light from outside, textbook form.
 fn fresnel(eta: f64, cos: f64) -> f64 {
     let inside = (1.0 - (1.0 - cos * cos) / (eta * eta)).sqrt();
     let s = (cos - eta * inside) / (cos + eta * inside);

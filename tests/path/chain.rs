@@ -6,7 +6,7 @@ use model::delta_e::de2000;
 use model::lab::lab;
 use nanospectra::color::{AcesCg, Rgb, RgbSpace, Srgb, Xyz};
 use nanospectra::light::{D65, FL1, FL2, FL3, FL4, FL5, FL6, FL7, FL8, FL9, FL10, FL11, FL12};
-use nanospectra::matter::{CES, Donaldson, Dye, Mirror, Phosphor, Polariser, Retarder};
+use nanospectra::matter::{CES, Donaldson, Dye, Mirror, Phosphor, Polarizer, Retarder};
 use nanospectra::observer::CIE_1931;
 use nanospectra::observer::Path;
 use nanospectra::path::{Effects, Plain, Price, Priced, RgbBands, Times, price_of};
@@ -28,8 +28,8 @@ fn fine<Q: nanospectra::Quantity, const N: usize, G: Grid>(
 #[test]
 fn a_path_of_factors_is_their_product_to_the_bit() {
     let sun: Light<31> = FL11.resample(Outside::Zero);
-    let glass = Reflectance::<31>::at_centres(|nm| nm / 800.0);
-    let paper = Reflectance::<31>::at_centres(|nm| 1.0 - nm / 900.0);
+    let glass = Reflectance::<31>::at_centers(|nm| nm / 800.0);
+    let paper = Reflectance::<31>::at_centers(|nm| 1.0 - nm / 900.0);
     let path = sun.through(&glass).onto(&paper);
     assert_eq!(path.collected(), sun * glass * paper);
     assert_eq!(EYE.sees(path), EYE.sees(&(sun * glass * paper)));
@@ -43,8 +43,8 @@ fn a_path_of_factors_is_their_product_to_the_bit() {
 fn a_path_of_factors_is_for_an_eye_with_the_light_folded_in() {
     static UNDER: Observer<3, 31> =
         CIE_1931.under(&FL11.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Spline);
-    let glass = Reflectance::<31>::at_centres(|nm| nm / 800.0);
-    let paper = Reflectance::<31>::at_centres(|nm| 1.0 - nm / 900.0);
+    let glass = Reflectance::<31>::at_centers(|nm| nm / 800.0);
+    let paper = Reflectance::<31>::at_centers(|nm| 1.0 - nm / 900.0);
     assert_eq!(UNDER.sees(glass.onto(&paper)), UNDER.sees(&(glass * paper)));
 }
 
@@ -61,28 +61,28 @@ fn a_bill_is_known_while_compiling() {
     assert_eq!(price_of(&sun), Price::light(31));
     assert_eq!(BILL, Price::light(31).plus(Price::factor(31)).plus(Price::factor(31)));
 
-    let (lake, sheet) = (Mirror::<31>::dielectric(&[1.33; 31], 0.6, 0.0), Polariser::<31>::ideal(0.0));
-    let path = sun.polarised().onto(&lake).through(&glass).through(&sheet);
-    assert_eq!(path.within::<{ 24 * 31 }>().price().effects, Effects::POLARISATION);
+    let (lake, sheet) = (Mirror::<31>::dielectric(&[1.33; 31], 0.6, 0.0), Polarizer::<31>::ideal(0.0));
+    let path = sun.polarized().onto(&lake).through(&glass).through(&sheet);
+    assert_eq!(path.within::<{ 24 * 31 }>().price().effects, Effects::POLARIZATION);
     assert_eq!(path.price().bytes, 124 + 504 + 124 + 504);
-    assert_eq!(path.ignoring_polarisation().onto(&glass).price().multiply_adds, (4 + 4 + 16 + 1) * 31);
+    assert_eq!(path.ignoring_polarization().onto(&glass).price().multiply_adds, (4 + 4 + 16 + 1) * 31);
 }
 
 #[test]
-fn a_matt_surface_forgets_how_light_was_polarised_and_glass_does_not() {
+fn a_matt_surface_forgets_how_light_was_polarized_and_glass_does_not() {
     let sun = Light::<31>::flat(1.0);
-    let (grey, sheet, crossed) = (Reflectance::flat(0.5), Polariser::ideal(0.0), Polariser::ideal(0.25));
-    let polarised = sun.polarised().through(&sheet);
-    let dark = polarised.through(&grey).through(&crossed).ignoring_polarisation();
+    let (gray, sheet, crossed) = (Reflectance::flat(0.5), Polarizer::ideal(0.0), Polarizer::ideal(0.25));
+    let polarized = sun.polarized().through(&sheet);
+    let dark = polarized.through(&gray).through(&crossed).ignoring_polarization();
     assert_eq!(EYE.sees(dark), [0.0; 3]);
-    let light = polarised.onto(&grey).polarised().through(&crossed).ignoring_polarisation();
+    let light = polarized.onto(&gray).polarized().through(&crossed).ignoring_polarization();
     assert_eq!(light.collected(), sun * 0.125);
-    // A dye glows as the intensity says, and its light is not polarised.
-    let dye = Dye::new(&grey, &Reflectance::flat(0.0), &sun, 0.5).expect("possible");
-    assert_eq!(polarised.onto(&dye).collected(), sun * 0.25);
+    // A dye glows as the intensity says, and its light is not polarized.
+    let dye = Dye::new(&gray, &Reflectance::flat(0.0), &sun, 0.5).expect("possible");
+    assert_eq!(polarized.onto(&dye).collected(), sun * 0.25);
 }
 
-/// What a path in RGB is off by: each of the 99 samples of CIE 224 as its colour under D65, each lamp as its colour.
+/// What a path in RGB is off by: each of the 99 samples of CIE 224 as its color under D65, each lamp as its color.
 #[test]
 fn rgb_is_this_far_from_the_spectrum() {
     fn errors<S: RgbSpace>() -> (f64, f64) {
@@ -142,31 +142,31 @@ fn rgb_goes_through_the_same_paths() {
 fn nan_in_is_nan_out_by_every_way() {
     let mut broken = Light::<31>::flat(1.0);
     broken.values_mut()[7] = f32::NAN;
-    let grey = Reflectance::<31>::flat(0.5);
-    let dye = Dye::new(&grey, &grey, &Light::flat(1.0), 0.5).expect("possible");
+    let gray = Reflectance::<31>::flat(0.5);
+    let dye = Dye::new(&gray, &gray, &Light::flat(1.0), 0.5).expect("possible");
     let matrix: Donaldson<31, 496> = Donaldson::of_dye(&dye);
     let mut phosphor = Phosphor::new(dye, 1.0);
     let lake = Mirror::dielectric(&[1.33; 31], 0.5, 0.1);
     let nan = |xyz: [f32; 3]| assert!(xyz.iter().all(|v| v.is_nan()), "{xyz:?}");
-    nan(EYE.sees(broken.through(&grey).onto(&grey)));
+    nan(EYE.sees(broken.through(&gray).onto(&gray)));
     nan(EYE.sees(broken.onto(&dye)));
     nan(EYE.sees(broken.onto(&matrix)));
-    nan(EYE.sees(broken.polarised().onto(&lake).ignoring_polarisation()));
-    nan(EYE.sees(broken.polarised().onto(&lake).onto(&grey)));
+    nan(EYE.sees(broken.polarized().onto(&lake).ignoring_polarization()));
+    nan(EYE.sees(broken.polarized().onto(&lake).onto(&gray)));
     phosphor.step(&broken, 1.0);
     nan(EYE.sees(Light::flat(0.0).onto(&phosphor)));
     nan(EYE.looking_at_dye(&dye).sees(&broken));
     // Of matter, too.
-    let mut hole = grey;
+    let mut hole = gray;
     hole.values_mut()[3] = f32::NAN;
     let sun = Light::<31>::flat(1.0);
     nan(EYE.sees(sun.onto(&hole)));
-    nan(EYE.sees(sun.polarised().through(&Polariser::new(&hole, &grey, 0.0)).ignoring_polarisation()));
-    nan(EYE.sees(sun.polarised().onto(&Mirror::dielectric(&[f32::NAN; 31], 0.5, 0.0)).onto(&grey)));
-    let sheet = Polariser::ideal(0.1);
-    let polarised = sun.polarised().through(&sheet);
+    nan(EYE.sees(sun.polarized().through(&Polarizer::new(&hole, &gray, 0.0)).ignoring_polarization()));
+    nan(EYE.sees(sun.polarized().onto(&Mirror::dielectric(&[f32::NAN; 31], 0.5, 0.0)).onto(&gray)));
+    let sheet = Polarizer::ideal(0.1);
+    let polarized = sun.polarized().through(&sheet);
     nan(EYE
-        .sees(polarised.through(&Retarder::flat(f32::NAN, 0.0)).through(&Polariser::ideal(0.0)).onto(&grey)));
+        .sees(polarized.through(&Retarder::flat(f32::NAN, 0.0)).through(&Polarizer::ideal(0.0)).onto(&gray)));
 }
 
 fn bins<Q, const N: usize, G: Grid>(range: std::ops::Range<f32>) -> impl Strategy<Value = Spectrum<Q, N, G>> {
@@ -244,8 +244,8 @@ proptest! {
     ) {
         let mut sun = Light::<31>::flat(0.0);
         sun.values_mut().copy_from_slice(&light);
-        let mut grey = Reflectance::<31>::flat(0.0);
-        grey.values_mut().copy_from_slice(&factors);
+        let mut gray = Reflectance::<31>::flat(0.0);
+        gray.values_mut().copy_from_slice(&factors);
         let half = Reflectance::flat(0.4);
         let dye = Dye::new(&half, &half, &Light::flat(1.0), 0.5).expect("possible");
         let matrix: Donaldson<31, 496> = Donaldson::of_dye(&dye);
@@ -255,12 +255,12 @@ proptest! {
         eta.iter_mut().zip(&factors).for_each(|(eta, f)| *eta = f.abs());
         let (lake, plate) = (Mirror::dielectric(&eta, cos, axis), Retarder::flat(retardance, axis));
         let seen = [
-            EYE.sees(sun.through(&grey).onto(&grey)),
-            EYE.sees(sun.onto(&grey).onto(&dye)),
-            EYE.sees(sun.onto(&matrix).onto(&grey)),
+            EYE.sees(sun.through(&gray).onto(&gray)),
+            EYE.sees(sun.onto(&gray).onto(&dye)),
+            EYE.sees(sun.onto(&matrix).onto(&gray)),
             EYE.sees(sun.onto(&phosphor)),
-            EYE.sees(sun.polarised().onto(&lake).through(&plate).onto(&lake).ignoring_polarisation()),
-            EYE.sees(sun.polarised().through(&Polariser::ideal(axis)).through(&grey).onto(&dye)),
+            EYE.sees(sun.polarized().onto(&lake).through(&plate).onto(&lake).ignoring_polarization()),
+            EYE.sees(sun.polarized().through(&Polarizer::ideal(axis)).through(&gray).onto(&dye)),
         ];
         prop_assert!(seen.iter().flatten().all(|v| v.is_finite()), "{seen:?}");
     }

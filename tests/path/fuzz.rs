@@ -1,7 +1,7 @@
 //! A million random cases of matter, read-outs and light, of any size that f32 has: no finite number gives NaN.
 
 use nanospectra::math::Fast;
-use nanospectra::matter::{Dye, Mirror, Mueller, Phosphor, Polariser, Retarder};
+use nanospectra::matter::{Dye, Mirror, Mueller, Phosphor, Polarizer, Retarder};
 use nanospectra::sensor::{Bend, DeadTime};
 use nanospectra::{Bins, Light, Reflectance, Spectrum};
 
@@ -77,15 +77,15 @@ fn no_counter_and_no_bend_gives_nan() {
 }
 
 #[test]
-fn nothing_that_polarises_gives_nan() {
+fn nothing_that_polarizes_gives_nan() {
     let mut random = Random(0x5eed_0002);
     for case in 0..CASES {
         let axis = random.any();
         let (numbers, others) = (random.two(), random.two());
         let [first, second] = [numbers, others].map(Reflectance::<2, Two>::from_bins);
         let element: Mueller<2, Two> = match case % 6 {
-            0 => *Polariser::ideal(axis).mueller(),
-            1 => *Polariser::new(&first, &second, axis).mueller(),
+            0 => *Polarizer::ideal(axis).mueller(),
+            1 => *Polarizer::new(&first, &second, axis).mueller(),
             2 => *Retarder::of_path_difference(numbers[0], axis).mueller(),
             3 => *Retarder::flat(numbers[0], axis).mueller(),
             4 => *Mirror::dielectric(&numbers.map(f32::abs), others[0], axis).mueller(),

@@ -7,9 +7,9 @@ use model::delta_e::de2000;
 use model::lab::lab;
 use nanospectra::light::{self, FL11};
 use nanospectra::math::{Fast, Portable};
-use nanospectra::matter::{Donaldson, Dye, Mirror, Polariser, Retarder};
+use nanospectra::matter::{Donaldson, Dye, Mirror, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, CIE_1964};
-use nanospectra::path::{Effects, Full, NeedsPolarisation, Part, Price, Scene, price_of};
+use nanospectra::path::{Effects, Full, NeedsPolarization, Part, Price, Scene, price_of};
 use nanospectra::{Bins, Curve, Interpolation, Light, Observer, Outside, Power, Reflectance};
 use proptest::prelude::*;
 
@@ -95,7 +95,7 @@ struct Pool {
     vest: Dye<31>,
     brightened: Donaldson<31, 496>,
     lake: Mirror<31>,
-    sheet: Polariser<31>,
+    sheet: Polarizer<31>,
     plate: Retarder<31>,
 }
 
@@ -108,12 +108,12 @@ impl Pool {
             }
         }
         Pool {
-            glass: Reflectance::at_centres(|nm| nm / 800.0),
-            paper: Reflectance::at_centres(|nm| 1.0 - nm / 900.0),
+            glass: Reflectance::at_centers(|nm| nm / 800.0),
+            paper: Reflectance::at_centers(|nm| 1.0 - nm / 900.0),
             vest: Measured::vest().dye(),
             brightened: Donaldson::new(&shares).expect("no more than came"),
             lake: Mirror::dielectric(&[1.33; 31], 0.6, 0.03),
-            sheet: Polariser::new(&Reflectance::flat(0.8), &Reflectance::flat(0.05), 0.1),
+            sheet: Polarizer::new(&Reflectance::flat(0.8), &Reflectance::flat(0.05), 0.1),
             plate: Retarder::of_path_difference(137.5, 0.2),
         }
     }
@@ -164,7 +164,7 @@ impl Pool {
                 stokes = leaving;
             } else {
                 let part: Scene<31, 1> = self.scene(&[*kind]).leaving_out(if place == out { 0 } else { 1 });
-                stokes = stokes.map(|row| *part.leaving_polarised(&Light::from_bins(row)).values());
+                stokes = stokes.map(|row| *part.leaving_polarized(&Light::from_bins(row)).values());
             }
         }
         Light::from_bins(stokes[0])
@@ -177,19 +177,19 @@ fn a_scene_is_the_typed_path_to_the_bit() {
     let Pool { glass, paper, vest, brightened, lake, sheet, plate } = &pool;
     let same = |kinds: &[usize], typed: Light<31>| {
         let scene: Scene<31, 6> = pool.scene(kinds);
-        assert_eq!(scene.leaving_polarised(&sun), typed, "{kinds:?}");
+        assert_eq!(scene.leaving_polarized(&sun), typed, "{kinds:?}");
     };
     same(&[], sun);
     same(&[0, 1], sun.through(glass).onto(paper).collected());
     same(&[0, 2, 0], sun.through(glass).onto(vest).through(glass).collected());
     same(&[3, 1], sun.onto(brightened).onto(paper).collected());
     same(&[2, 3, 2], sun.onto(vest).onto(brightened).through(vest).collected());
-    let wet = sun.polarised().onto(lake).through(glass).through(sheet);
-    same(&[4, 0, 5], wet.ignoring_polarisation().collected());
-    same(&[4, 0, 5, 6, 5], wet.through(plate).through(sheet).ignoring_polarisation().collected());
+    let wet = sun.polarized().onto(lake).through(glass).through(sheet);
+    same(&[4, 0, 5], wet.ignoring_polarization().collected());
+    same(&[4, 0, 5, 6, 5], wet.through(plate).through(sheet).ignoring_polarization().collected());
     same(&[4, 0, 5, 1, 2], wet.onto(paper).onto(vest).collected());
-    let again = sun.polarised().through(sheet).onto(vest).polarised().onto(lake);
-    same(&[5, 2, 4], again.ignoring_polarisation().collected());
+    let again = sun.polarized().through(sheet).onto(vest).polarized().onto(lake);
+    same(&[5, 2, 4], again.ignoring_polarization().collected());
 }
 
 #[test]
@@ -201,42 +201,42 @@ fn a_part_left_out_is_what_remains_of_it_without_its_effect() {
     let dull = sun.onto(&vest.reflectance()).onto(&diagonal).collected();
     let scene: Scene<31, 6> = pool.scene(&[2, 3]);
     assert_eq!(scene.leaving_out(0).leaving_out(1).leaving(&sun), Ok(dull));
-    // A mirror left out still dims light that is polarised already.
-    let dim = lake.ignoring_polarisation();
-    let through = sun.polarised().through(sheet).through(&dim).through(sheet);
+    // A mirror left out still dims light that is polarized already.
+    let dim = lake.ignoring_polarization();
+    let through = sun.polarized().through(sheet).through(&dim).through(sheet);
     let scene: Scene<31, 6> = pool.scene(&[5, 4, 5]);
-    assert_eq!(scene.leaving_out(1).leaving_polarised(&sun), through.ignoring_polarisation().collected());
+    assert_eq!(scene.leaving_out(1).leaving_polarized(&sun), through.ignoring_polarization().collected());
     // Without any effect it is plain, and what has none cannot lose it.
     let scene: Scene<31, 6> = pool.scene(&[0, 4, 1, 5]);
-    assert_eq!(scene.leaving(&sun), Err(NeedsPolarisation { part: 1 }));
+    assert_eq!(scene.leaving(&sun), Err(NeedsPolarization { part: 1 }));
     let plain = scene.leaving_out(0).leaving_out(1).leaving_out(3).leaving_out(17);
     assert!(plain.effects().is_empty() && plain.left_out().eq([1, 3]));
-    let grey = Reflectance::flat(0.425);
+    let gray = Reflectance::flat(0.425);
     assert_eq!(
         plain.leaving(&sun),
-        Ok(sun.through(glass).through(&dim).onto(paper).through(&grey).collected())
+        Ok(sun.through(glass).through(&dim).onto(paper).through(&gray).collected())
     );
-    assert_eq!(plain.fold(&EYE), Ok(EYE.through(&grey).looking_at(paper).through(&dim).through(glass)));
+    assert_eq!(plain.fold(&EYE), Ok(EYE.through(&gray).looking_at(paper).through(&dim).through(glass)));
 }
 
 #[test]
-fn what_polarises_is_refused_and_carried_on_request() {
+fn what_polarizes_is_refused_and_carried_on_request() {
     let (pool, sun) = (Pool::new(), lamp::<31>("D65"));
     let scene: Scene<31, 6> = pool.scene(&[0, 2, 4, 5]);
-    assert_eq!(scene.fold(&EYE), Err(NeedsPolarisation { part: 2 }));
-    assert_eq!(scene.leaving(&sun), Err(NeedsPolarisation { part: 2 }));
-    let said = NeedsPolarisation { part: 2 }.to_string();
-    assert!(said.contains("part 2") && said.contains("fold_polarised"), "{said}");
+    assert_eq!(scene.fold(&EYE), Err(NeedsPolarization { part: 2 }));
+    assert_eq!(scene.leaving(&sun), Err(NeedsPolarization { part: 2 }));
+    let said = NeedsPolarization { part: 2 }.to_string();
+    assert!(said.contains("part 2") && said.contains("fold_polarized"), "{said}");
     let Pool { glass, vest, lake, sheet, .. } = &pool;
     let typed = EYE
-        .polarised()
-        .through_polariser(sheet)
+        .polarized()
+        .through_polarizer(sheet)
         .looking_at_mirror(lake)
-        .unpolarised_light()
+        .unpolarized_light()
         .looking_at_dye(vest)
         .through(glass);
     let mut folds = check("scenes folded, beside the typed fold");
-    for (got, expected) in scene.fold_polarised(&EYE).weights().iter().zip(typed.weights()) {
+    for (got, expected) in scene.fold_polarized(&EYE).weights().iter().zip(typed.weights()) {
         for (k, (got, expected)) in got.iter().zip(expected).enumerate() {
             folds.add(&k.to_string(), *got, f64::from(*expected));
         }
@@ -261,22 +261,22 @@ fn the_bill_adds_up_to_what_the_typed_stages_cost() {
     let lines: Vec<_> = all.bill().collect();
     assert_eq!(lines[2].price, price_of(&pool.vest));
     assert_eq!(lines[3].price, price_of(&pool.brightened));
-    // The first that polarises has one number of each bin to work on, and the next all four.
+    // The first that polarizes has one number of each bin to work on, and the next all four.
     let turned = price_of(pool.lake.mueller());
     assert_eq!(lines[4].price, Price { multiply_adds: 4 * 31, ..turned });
     assert_eq!((lines[5].price, lines[6].price), (turned, turned));
     let sun = Light::<31>::flat(1.0);
     let typed =
-        sun.polarised().onto(&pool.lake).through(&pool.sheet).through(&pool.plate).through(&pool.glass);
-    let polarising: Scene<31, 4> = pool.scene(&[4, 5, 6, 0]);
-    assert_eq!(Price::light(31).plus(polarising.price()), typed.price());
+        sun.polarized().onto(&pool.lake).through(&pool.sheet).through(&pool.plate).through(&pool.glass);
+    let polarizing: Scene<31, 4> = pool.scene(&[4, 5, 6, 0]);
+    assert_eq!(Price::light(31).plus(polarizing.price()), typed.price());
     assert_eq!(lines[0].price, Price::factor(31));
     // Behind the mirror there are four numbers for each bin.
     assert_eq!(lines[7].price, Price::factor(31).and_multiply_adds(3 * 31));
     let sum = lines.iter().fold(Price::NONE, |sum, line| sum.plus(line.price));
     assert_eq!(sum, all.price());
-    assert_eq!(all.effects(), Effects::FLUORESCENCE.and(Effects::POLARISATION));
-    let names = ["filter", "surface", "dye", "donaldson", "mirror", "polariser", "retarder", "filter"];
+    assert_eq!(all.effects(), Effects::FLUORESCENCE.and(Effects::POLARIZATION));
+    let names = ["filter", "surface", "dye", "donaldson", "mirror", "polarizer", "retarder", "filter"];
     assert!(lines.iter().map(|line| line.name).eq(names) && lines.iter().map(|line| line.part).eq(0..8));
     // A matrix left out is 31 factors, and the typed path says the same of a plain scene.
     assert_eq!(all.leaving_out(3).price().multiply_adds, all.price().multiply_adds - 496 + 31);
@@ -400,19 +400,19 @@ fn folds_of_long_scenes_are_off_by_a_rounding_or_so_for_each_part() {
 }
 
 #[test]
-fn a_pair_of_polarisers_cannot_be_left_out() {
+fn a_pair_of_polarizers_cannot_be_left_out() {
     let sun = lamp::<31>("D65");
     for turns in [0.0, 0.125, 0.25] {
-        let (first, second) = (Polariser::ideal(0.0), Polariser::ideal(turns));
+        let (first, second) = (Polarizer::ideal(0.0), Polarizer::ideal(turns));
         let mut scene: Scene<31, 2> = Scene::new();
         scene.push(&first).expect("room");
         scene.push(&second).expect("room");
-        // At 45 degrees the pair is what two grey filters are: only there it may go.
+        // At 45 degrees the pair is what two gray filters are: only there it may go.
         let out = if turns == 0.125 { 2 } else { 0 };
         assert_eq!(scene.within_budget(&EYE, &sun, 1.0).scene.left_out().count(), out, "{turns}");
         // Malus: 0.5 cos^2.
         let cos = f64::from(turns * std::f32::consts::TAU).cos();
-        let [_, y, _] = scene.fold_polarised(&EYE).sees(&sun);
+        let [_, y, _] = scene.fold_polarized(&EYE).sees(&sun);
         let [_, white, _] = EYE.sees(&sun);
         assert!((f64::from(y / white) - 0.5 * cos * cos).abs() < 1e-7, "{turns}: {}", y / white);
     }
@@ -428,7 +428,7 @@ fn nothing_is_left_out_that_cannot_be_judged() {
     assert_eq!(scene.within_budget(&EYE, &dark, 1e9).scene.left_out().count(), 0);
     assert_eq!(scene.within_budget(&EYE, &unknown, 1e9).scene.left_out().count(), 0);
     assert!(scene.difference(&scene, &EYE, &unknown).is_nan());
-    assert!(scene.leaving_polarised(&unknown).values().iter().all(|value| value.is_nan()));
+    assert!(scene.leaving_polarized(&unknown).values().iter().all(|value| value.is_nan()));
 }
 
 proptest! {
@@ -440,15 +440,15 @@ proptest! {
         static EYE: Observer<3, 31, Power> = CIE_1964.fold(Curve::Step);
         for out in [usize::MAX, out] {
             let scene: Scene<31, 8> = pool.scene(&kinds).leaving_out(out);
-            let walked = EYE.sees(&scene.leaving_polarised(&sun));
-            let folded = scene.fold_polarised(&EYE).sees(&sun);
+            let walked = EYE.sees(&scene.leaving_polarized(&sun));
+            let folded = scene.fold_polarized(&EYE).sees(&sun);
             let sizes = EYE.sees(&pool.sizes(&kinds, out, &sun));
             for ((walked, folded), size) in walked.into_iter().zip(folded).zip(sizes) {
                 let allowed = 4e-7 + 3e-8 * kinds.len().saturating_sub(4) as f32;
                 prop_assert!((walked - folded).abs() <= allowed * size, "{walked} {folded} {kinds:?}");
             }
             let plain = scene.fold(&EYE).is_ok();
-            prop_assert_eq!(plain, !scene.effects().contains(Effects::POLARISATION));
+            prop_assert_eq!(plain, !scene.effects().contains(Effects::POLARIZATION));
         }
     }
 }

@@ -135,8 +135,8 @@ fn a_damaged_table_stops_the_build_with_file_line_and_advice() {
     says(CMF, &lines, None, &["360-829", "range_nm"]);
 
     let mut lines = Lines::of(FL);
-    lines.0.retain(|line| !line.starts_with("# licence:"));
-    says(FL, &lines, None, &["'# licence:'", "add it"]);
+    lines.0.retain(|line| !line.starts_with("# license:"));
+    says(FL, &lines, None, &["'# license:'", "add it"]);
 
     let mut lines = Lines::of(FL);
     lines.0.retain(|line| line.starts_with('#'));

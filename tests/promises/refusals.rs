@@ -108,29 +108,29 @@ const REFUSED: [(&str, &str, &[&str]); 28] = [
             println!(\"{:?}\", Light::<31>::flat(1.0).onto(&lake).price());
         }",
         &[
-            "is not polarised light in 31 bins",
-            "write `light.polarised()` first",
-            "mirror.ignoring_polarisation()",
+            "is not polarized light in 31 bins",
+            "write `light.polarized()` first",
+            "mirror.ignoring_polarization()",
         ],
     ),
     (
-        "polarises_what_a_matt_surface_sent_back",
-        "use nanospectra::{Light, Reflectance, matter::Polariser};
+        "polarizes_what_a_matt_surface_sent_back",
+        "use nanospectra::{Light, Reflectance, matter::Polarizer};
         fn main() {
-            let (sheet, paper) = (Polariser::<31>::ideal(0.0), Reflectance::flat(0.5));
+            let (sheet, paper) = (Polarizer::<31>::ideal(0.0), Reflectance::flat(0.5));
             let light = Light::<31>::flat(1.0);
-            println!(\"{:?}\", light.polarised().through(&sheet).onto(&paper).through(&sheet).price());
+            println!(\"{:?}\", light.polarized().through(&sheet).onto(&paper).through(&sheet).price());
         }",
-        &["is not polarised light in 31 bins", "write `light.polarised()` first"],
+        &["is not polarized light in 31 bins", "write `light.polarized()` first"],
     ),
     (
-        "looks_at_polarised_light",
+        "looks_at_polarized_light",
         "use nanospectra::{Curve, Light, Observer, Power, observer::CIE_1931};
         fn main() {
             let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
-            println!(\"{:?}\", eye.sees(Light::<31>::flat(1.0).polarised()));
+            println!(\"{:?}\", eye.sees(Light::<31>::flat(1.0).polarized()));
         }",
-        &["is no path of `Power` in 31 bins", "by `.ignoring_polarisation()`"],
+        &["is no path of `Power` in 31 bins", "by `.ignoring_polarization()`"],
     ),
     (
         "sees_a_vest_without_light",

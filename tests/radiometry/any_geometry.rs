@@ -3,9 +3,9 @@
 
 use nanospectra::math::sqrt;
 use nanospectra::radiometry::form_factor::{
-    coaxial_discs, parallel_rectangles, perpendicular_rectangles, reciprocal, to_disc, to_polygon, to_sphere,
+    coaxial_disks, parallel_rectangles, perpendicular_rectangles, reciprocal, to_disk, to_polygon, to_sphere,
 };
-use nanospectra::radiometry::solid_angle::{cone, disc, disc_off_axis, rectangle, sphere, triangle};
+use nanospectra::radiometry::solid_angle::{cone, disk, disk_off_axis, rectangle, sphere, triangle};
 use nanospectra::radiometry::{
     Candela, Energy, Exitance, Lumen, Luminous, Lux, Nit, PointSource, RectangleSource, SphereSource,
     SurfaceElement, SurfaceRadiance,
@@ -48,14 +48,14 @@ fn everything([a, b, c]: [f32; 3], points: [[f32; 3]; 5]) -> Vec<(&'static str, 
     vec![
         ("cone", cone(a)),
         ("sphere", sphere(a, b)),
-        ("disc", disc(a, b)),
-        ("disc off axis", disc_off_axis(a, b, c)),
+        ("disk", disk(a, b)),
+        ("disk off axis", disk_off_axis(a, b, c)),
         ("rectangle", rectangle(a, b, c)),
         ("triangle", triangle(p, [q, r, s])),
-        ("coaxial discs", coaxial_discs(a, b, c)),
+        ("coaxial disks", coaxial_disks(a, b, c)),
         ("parallel rectangles", parallel_rectangles(a, b, c)),
         ("perpendicular rectangles", perpendicular_rectangles(a, b, c)),
-        ("to disc", to_disc(a, b, c)),
+        ("to disk", to_disk(a, b, c)),
         ("to sphere", to_sphere(a, b, c)),
         ("to triangle", to_polygon(p, n, &[q, r, s])),
         ("to polygon", to_polygon(p, n, &[q, r, s, [a, b, c]])),
@@ -86,13 +86,13 @@ fn nan_in_any_argument_stays_nan() {
     let functions: [(&str, usize, Of3); 20] = [
         ("cone", 1, |a, _, _| cone(a)),
         ("sphere", 2, |a, b, _| sphere(a, b)),
-        ("disc", 2, |a, b, _| disc(a, b)),
-        ("disc off axis", 3, disc_off_axis),
+        ("disk", 2, |a, b, _| disk(a, b)),
+        ("disk off axis", 3, disk_off_axis),
         ("rectangle", 3, rectangle),
-        ("coaxial discs", 3, coaxial_discs),
+        ("coaxial disks", 3, coaxial_disks),
         ("parallel rectangles", 3, parallel_rectangles),
         ("perpendicular rectangles", 3, perpendicular_rectangles),
-        ("to disc", 3, to_disc),
+        ("to disk", 3, to_disk),
         ("to sphere", 3, to_sphere),
         ("reciprocal", 3, reciprocal),
         ("at distance", 3, |a, b, c| Candela::from(a).at_distance(b, c).value().0),
@@ -166,7 +166,7 @@ proptest! {
 
     #[test]
     fn what_one_sends_the_other_the_other_sends_back(r1 in size(), r2 in size(), d in size(), l in size()) {
-        near(reciprocal(coaxial_discs(r1, r2, d), r1 * r1, r2 * r2), coaxial_discs(r2, r1, d), 1e-6)?;
+        near(reciprocal(coaxial_disks(r1, r2, d), r1 * r1, r2 * r2), coaxial_disks(r2, r1, d), 1e-6)?;
         let (there, back) = (perpendicular_rectangles(r1, r2, l), perpendicular_rectangles(r2, r1, l));
         near(reciprocal(there, r1 * l, r2 * l), back, 1e-6)?;
         near(parallel_rectangles(r1, r2, d), parallel_rectangles(r2, r1, d), 1e-6)?;
@@ -199,7 +199,7 @@ proptest! {
     #[test]
     fn form_factors_are_shares(a in size(), b in size(), c in size(), cos in -1.0f32..1.0) {
         let shares = [
-            coaxial_discs(a, b, c), parallel_rectangles(a, b, c), perpendicular_rectangles(a, b, c), to_disc(a, b, c),
+            coaxial_disks(a, b, c), parallel_rectangles(a, b, c), perpendicular_rectangles(a, b, c), to_disk(a, b, c),
             to_sphere(a, b, cos),
         ];
         for share in shares {
@@ -216,11 +216,11 @@ proptest! {
         let [p, q, r, s, n] = points;
         let scaled = |x: [f32; 3]| x.map(|x| x * k);
         prop_assert_eq!(sphere(a, b), sphere(a * k, b * k));
-        prop_assert_eq!(disc(a, b), disc(a * k, b * k));
-        prop_assert_eq!(disc_off_axis(a, b, c), disc_off_axis(a * k, b * k, c * k));
+        prop_assert_eq!(disk(a, b), disk(a * k, b * k));
+        prop_assert_eq!(disk_off_axis(a, b, c), disk_off_axis(a * k, b * k, c * k));
         prop_assert_eq!(rectangle(a, b, c), rectangle(a * k, b * k, c * k));
-        prop_assert_eq!(coaxial_discs(a, b, c), coaxial_discs(a * k, b * k, c * k));
-        prop_assert_eq!(to_disc(a, b, c), to_disc(a * k, b * k, c * k));
+        prop_assert_eq!(coaxial_disks(a, b, c), coaxial_disks(a * k, b * k, c * k));
+        prop_assert_eq!(to_disk(a, b, c), to_disk(a * k, b * k, c * k));
         prop_assert_eq!(parallel_rectangles(a, b, c), parallel_rectangles(a * k, b * k, c * k));
         prop_assert_eq!(perpendicular_rectangles(a, b, c), perpendicular_rectangles(a * k, b * k, c * k));
         prop_assert_eq!(triangle(p, [q, r, s]), triangle(scaled(p), [q, r, s].map(scaled)));
@@ -247,7 +247,7 @@ proptest! {
         let area = std::f32::consts::PI * r * r;
         let small = 0.5 * (r / length) * (r / length) * 3.0;
         near(sphere(r, length), area / (length * length), small + 1e-6)?;
-        near(disc(r, length), area / (length * length), small + 1e-6)?;
+        near(disk(r, length), area / (length * length), small + 1e-6)?;
         near(to_sphere(r, length, cos) * std::f32::consts::PI, cos * sphere(r, length), small + 1e-6)?;
     }
 }

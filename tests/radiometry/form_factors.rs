@@ -10,7 +10,7 @@ use nanospectra::radiometry::form_factor::{
     parallel_rectangles, parallel_rectangles_with, perpendicular_rectangles, reciprocal, to_polygon,
     to_sphere,
 };
-use nanospectra::radiometry::solid_angle::{disc_off_axis, sphere, triangle};
+use nanospectra::radiometry::solid_angle::{disk_off_axis, sphere, triangle};
 use std::f64::consts::PI;
 
 #[test]
@@ -208,7 +208,7 @@ fn elements_of_a_surface_add_up_to_its_solid_angle_and_form_factor() {
     assert!((solid_angle / f64::from(sphere(1.0, 3.0)) - 1.0).abs() < 1e-4, "{solid_angle}");
     assert!((factor / f64::from(to_sphere(1.0, 3.0, 0.8)) - 1.0).abs() < 1e-4, "{factor}");
 
-    // A triangle and a disc in Gauss points.
+    // A triangle and a disk in Gauss points.
     let corners = [[0.5f32, -0.3, 1.0], [1.5, 0.4, 1.2], [0.2, 0.9, 0.8]];
     let [p, q, r] = corners.map(wide);
     let away = exact::unit(exact::cross(exact::minus(q, p), exact::minus(r, p)));
@@ -234,7 +234,7 @@ fn elements_of_a_surface_add_up_to_its_solid_angle_and_form_factor() {
         (0..steps).map(at).sum::<f64>() * 2.0 * PI / f64::from(steps) * rho
     };
     let sum = exact::integral(&nodes, 0.0, 1.0, ring);
-    assert!((sum / f64::from(disc_off_axis(1.0, 1.5, 0.4)) - 1.0).abs() < 1e-6, "{sum}");
+    assert!((sum / f64::from(disk_off_axis(1.0, 1.5, 0.4)) - 1.0).abs() < 1e-6, "{sum}");
     // Its own place has no direction.
     let here = SurfaceElement { position_m: [1.0; 3], normal: [0.0, 0.0, 1.0], area_m2: 1.0 };
     assert_eq!(here.seen_from([1.0; 3]), ([0.0; 3], 0.0));

@@ -7,11 +7,11 @@ use model::check::{Check, EPS};
 use model::geometry::{self as exact, gauss, wide};
 use model::noise::Noise;
 use nanospectra::math::{Fast, Portable};
-use nanospectra::radiometry::form_factor::{coaxial_discs, to_disc, to_sphere};
+use nanospectra::radiometry::form_factor::{coaxial_disks, to_disk, to_sphere};
 use nanospectra::radiometry::solid_angle::{
-    WHOLE_SPHERE, cone, disc, disc_off_axis, rectangle, sphere, triangle, triangle_with,
+    WHOLE_SPHERE, cone, disk, disk_off_axis, rectangle, sphere, triangle, triangle_with,
 };
-use nanospectra::radiometry::{Candela, DiscSource, Nit, PointSource, SphereSource};
+use nanospectra::radiometry::{Candela, DiskSource, Nit, PointSource, SphereSource};
 use std::f64::consts::PI;
 
 /// The relative error in units of rounding.
@@ -74,8 +74,8 @@ fn far_spheres_keep_their_solid_angle() {
 }
 
 #[test]
-fn far_coaxial_discs_keep_their_form_factor() {
-    let mut check = check("coaxial discs, in eps");
+fn far_coaxial_disks_keep_their_form_factor() {
+    let mut check = check("coaxial disks, in eps");
     let mut noise = Noise(9);
     for ratio in sweep(1e-8, 1e3, 100_000) {
         let [r1, r2] = [0, 1].map(|_| ratio * (1.0 + noise.offset().abs()));
@@ -83,14 +83,14 @@ fn far_coaxial_discs_keep_their_form_factor() {
         compare(
             &mut check,
             &place,
-            coaxial_discs(r1, r2, 1.0),
-            exact::coaxial_discs(r1.into(), r2.into(), 1.0),
+            coaxial_disks(r1, r2, 1.0),
+            exact::coaxial_disks(r1.into(), r2.into(), 1.0),
         );
     }
     check.tight(100_000);
     // Touching: all of the smaller one's light, and of the larger one's what its area gets.
-    assert_eq!((coaxial_discs(1.0, 2.0, 0.0), coaxial_discs(2.0, 1.0, 0.0)), (1.0, 0.25));
-    assert_eq!((coaxial_discs(1.0, 0.0, 0.0), coaxial_discs(0.0, 0.0, 0.0)), (0.0, 0.0));
+    assert_eq!((coaxial_disks(1.0, 2.0, 0.0), coaxial_disks(2.0, 1.0, 0.0)), (1.0, 0.25));
+    assert_eq!((coaxial_disks(1.0, 0.0, 0.0), coaxial_disks(0.0, 0.0, 0.0)), (0.0, 0.0));
 }
 
 /// The sum of the sizes of the determinant's terms over its value.
@@ -201,32 +201,32 @@ fn triangles_without_a_view_are_zero() {
 }
 
 #[test]
-fn discs_keep_their_solid_angle_on_and_off_their_axis() {
-    let mut on = check("discs, in eps");
+fn disks_keep_their_solid_angle_on_and_off_their_axis() {
+    let mut on = check("disks, in eps");
     for distance in sweep(1e-6, 1e9, 50_000) {
-        compare(&mut on, &format!("{distance} m"), disc(1.0, distance), exact::disc(1.0, distance.into()));
+        compare(&mut on, &format!("{distance} m"), disk(1.0, distance), exact::disk(1.0, distance.into()));
     }
     let mut noise = Noise(13);
     for _ in 0..100_000 {
         let [radius, distance] = [0, 1].map(|_| length(&mut noise));
         let place = format!("{radius} m at {distance} m");
-        compare(&mut on, &place, disc(radius, distance), exact::disc(radius.into(), distance.into()));
+        compare(&mut on, &place, disk(radius, distance), exact::disk(radius.into(), distance.into()));
     }
     on.tight(150_000);
 
-    let mut off = check("discs off their axis");
+    let mut off = check("disks off their axis");
     for distance in sweep(1e-3, 1e4, 60) {
         for offset in sweep(1e-3, 1e2, 120).chain([0.97, 0.999, 0.99999, 1.0, 1.00001, 1.001, 1.03]) {
-            let exact = exact::disc_off_axis(1.0, distance.into(), offset.into());
+            let exact = exact::disk_off_axis(1.0, distance.into(), offset.into());
             off.value(
                 &format!("{distance} m away, {offset} m beside"),
-                disc_off_axis(1.0, distance, offset).into(),
+                disk_off_axis(1.0, distance, offset).into(),
                 exact,
             );
         }
     }
     off.tight_over_all();
-    // Half a radius above the disc, from its axis to two radii beside it: the integral by 15 digits elsewhere.
+    // Half a radius above the disk, from its axis to two radii beside it: the integral by 15 digits elsewhere.
     let table = [
         3.473_259_414_8,
         3.418_442_766_5,
@@ -241,16 +241,16 @@ fn discs_keep_their_solid_angle_on_and_off_their_axis() {
         0.232_419_623_5,
     ];
     for (k, expected) in table.into_iter().enumerate() {
-        let got = f64::from(disc_off_axis(1.0, 0.5, 0.2 * k as f32));
+        let got = f64::from(disk_off_axis(1.0, 0.5, 0.2 * k as f32));
         assert!((got / expected - 1.0).abs() < 5e-7, "{got} for {expected}");
     }
     // In its plane, and nothing.
     let tau = std::f32::consts::TAU;
     for (offset, expected) in [(0.0, tau), (0.5, tau), (0.99, tau), (1.0, tau / 2.0), (1.01, 0.0), (7.0, 0.0)]
     {
-        assert!((disc_off_axis(1.0, 0.0, offset) - expected).abs() < 1e-6, "{offset}");
+        assert!((disk_off_axis(1.0, 0.0, offset) - expected).abs() < 1e-6, "{offset}");
     }
-    assert_eq!(disc_off_axis(0.0, 0.0, 0.0) + disc_off_axis(0.0, 1.0, 1.0) + disc(0.0, 0.0), 0.0);
+    assert_eq!(disk_off_axis(0.0, 0.0, 0.0) + disk_off_axis(0.0, 1.0, 1.0) + disk(0.0, 0.0), 0.0);
 }
 
 #[test]
@@ -289,19 +289,19 @@ fn every_backend_has_the_same_geometry() {
 }
 
 #[test]
-fn discs_and_spheres_keep_their_form_factor_from_a_point() {
-    let mut discs = check("form factor to discs");
+fn disks_and_spheres_keep_their_form_factor_from_a_point() {
+    let mut disks = check("form factor to disks");
     for distance in sweep(1e-2, 1e3, 100) {
         for offset in sweep(1e-2, 1e2, 100).chain([0.99, 1.0, 1.01]) {
-            let exact = exact::to_disc(1.0, distance.into(), offset.into());
+            let exact = exact::to_disk(1.0, distance.into(), offset.into());
             if exact > 1e-7 {
                 let place = format!("{distance} m away, {offset} m beside");
-                discs.value(&place, to_disc(1.0, distance, offset).into(), exact);
+                disks.value(&place, to_disk(1.0, distance, offset).into(), exact);
             }
         }
     }
-    discs.tight_over_more_than(5000);
-    assert_eq!((to_disc(1.0, 0.0, 0.5), to_disc(1.0, 0.0, 1.0), to_disc(1.0, 0.0, 2.0)), (1.0, 0.5, 0.0));
+    disks.tight_over_more_than(5000);
+    assert_eq!((to_disk(1.0, 0.0, 0.5), to_disk(1.0, 0.0, 1.0), to_disk(1.0, 0.0, 2.0)), (1.0, 0.5, 0.0));
 
     let (mut up, mut down) = (check("form factor to spheres"), check("form factor to setting spheres"));
     let nodes = gauss(60);
@@ -336,7 +336,7 @@ fn sources_light_a_point_as_their_form_factors_say() {
     let nodes = gauss(60);
     let mut points = check("irradiance of points, of that at normal incidence, in eps");
     let mut spheres = check("irradiance of spheres, of that at normal incidence");
-    let mut discs = check("irradiance of discs");
+    let mut disks = check("irradiance of disks");
     for k in 0..20_000 {
         let (place, normal, to) = (noise.point(), noise.point(), noise.point());
         let way = exact::minus(wide(to), wide(place));
@@ -352,9 +352,9 @@ fn sources_light_a_point_as_their_form_factors_say() {
         let got = f64::from(globe.irradiance(place, normal).value().0) / (1000.0 * PI);
         let whole = (radius / distance).powi(2);
         spheres.value(&at, got / whole, exact::to_sphere(&nodes, radius, distance, cos) / whole);
-        let disc = DiscSource { radius_m: globe.radius_m, radiance: Nit::from(1000.0) };
-        let exact = 1000.0 * PI * exact::to_disc(radius, f64::from(to[0].abs()), f64::from(place[0].abs()));
-        discs.value(&at, disc.irradiance(to[0].abs(), place[0].abs()).value().0.into(), exact);
+        let disk = DiskSource { radius_m: globe.radius_m, radiance: Nit::from(1000.0) };
+        let exact = 1000.0 * PI * exact::to_disk(radius, f64::from(to[0].abs()), f64::from(place[0].abs()));
+        disks.value(&at, disk.irradiance(to[0].abs(), place[0].abs()).value().0.into(), exact);
     }
-    [points, spheres, discs].into_iter().for_each(|check| check.tight(20_000));
+    [points, spheres, disks].into_iter().for_each(|check| check.tight(20_000));
 }

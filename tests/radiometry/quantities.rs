@@ -5,7 +5,7 @@ use nanospectra::light::{D65, FL11};
 use nanospectra::observer::{V_PHOTOPIC, V_SCOTOPIC};
 use nanospectra::radiometry::solid_angle::{WHOLE_SPHERE, cone};
 use nanospectra::radiometry::{
-    Candela, DiscSource, Energy, Exitance, Flux, Intensity, Irradiance, Lumen, Luminous, Lux, Nit,
+    Candela, DiskSource, Energy, Exitance, Flux, Intensity, Irradiance, Lumen, Luminous, Lux, Nit,
     PointSource, Radiance, Radiant, RectangleSource, Scotopic, SphereSource, SurfaceRadiance, Talbot,
     illuminance, scotopic_illuminance,
 };
@@ -94,7 +94,7 @@ fn relations_lead_there_and_back() {
     assert_eq!(phi.intensity(2.0).flux(2.0), phi);
     let i = Candela::from(100.0);
     assert_eq!(i.at_distance(10.0, 1.0), Lux::from(1.0), "inverse square");
-    // 100 cd from a tenth of a square metre at 60 degrees: 2000 cd/m2, and back by Lambert's cosine law.
+    // 100 cd from a tenth of a square meter at 60 degrees: 2000 cd/m2, and back by Lambert's cosine law.
     assert_eq!(i.radiance(0.1, 0.5), Nit::from(2000.0));
     assert_eq!(i.radiance(0.1, 0.5).intensity(0.1, 0.5), i);
     let l = Nit::from(1e4);
@@ -180,12 +180,12 @@ fn radiance_at_a_surface_is_a_limit_from_the_side_of_the_direction() {
 #[test]
 fn sources_give_what_their_shapes_say() {
     let l = Nit::from(1000.0);
-    // A disc, a polygon of many corners, a sphere of the same outline and a point agree from far away.
+    // A disk, a polygon of many corners, a sphere of the same outline and a point agree from far away.
     let (r, d) = (0.01f32, 10.0);
     let area = std::f32::consts::PI * r * r;
     let point = PointSource { position_m: [0.0, 0.0, d], intensity: l.intensity(area, 1.0) };
     let globe = SphereSource { center_m: [0.0, 0.0, d], radius_m: r, radiance: l };
-    let disc = DiscSource { radius_m: r, radiance: l };
+    let disk = DiskSource { radius_m: r, radiance: l };
     let side = area.sqrt();
     let panel = RectangleSource {
         corner_m: [-0.5 * side, -0.5 * side, d],
@@ -194,7 +194,7 @@ fn sources_give_what_their_shapes_say() {
     };
     let up = [0.0, 0.0, 1.0];
     let expected = point.irradiance([0.0; 3], up).value().0;
-    for lux in [globe.irradiance([0.0; 3], up), disc.irradiance(d, 0.0), panel.irradiance([0.0; 3], up)] {
+    for lux in [globe.irradiance([0.0; 3], up), disk.irradiance(d, 0.0), panel.irradiance([0.0; 3], up)] {
         assert!((lux.value().0 / expected - 1.0).abs() < 2e-6, "{lux} {expected}");
     }
     // Tilted: 60 degrees halve it, behind is nothing.

@@ -131,7 +131,7 @@ fn an_as7341_measures_lux_and_cct_of_every_lamp_within_the_bar() {
     let fit = calibrated(|patch| measured(patch, &mut noise));
     let matrix = fit.solve().expect("297 patches");
     let noise_free = calibrated(exactly).solve().expect("297 patches");
-    // What no combination of the channels can see: the colour-matching functions less their projection.
+    // What no combination of the channels can see: the color-matching functions less their projection.
     let columns = sensor::transposed(&wide(nominal::AS7341.weights()));
     let functions = sensor::transposed(&wide(CIE_1931.weights()));
     let projection = sensor::fit(&columns, &functions, &[1.0; 471]);
@@ -146,9 +146,9 @@ fn an_as7341_measures_lux_and_cct_of_every_lamp_within_the_bar() {
         let is = xyz(&light);
         let counts = measured(&light, &mut noise);
         let outcomes = [
-            errors(is, matrix.xyz(&counts).expect("a colour")),
-            errors(is, noise_free.xyz(&exactly(&light)).expect("a colour")),
-            errors(is, BY_SPECTRUM.xyz(&counts).expect("a colour")),
+            errors(is, matrix.xyz(&counts).expect("a color")),
+            errors(is, noise_free.xyz(&exactly(&light)).expect("a color")),
+            errors(is, BY_SPECTRUM.xyz(&counts).expect("a color")),
         ];
         let values = wide(&[*light.values()]).remove(0);
         let seen: Vec<f64> =
@@ -220,7 +220,7 @@ fn eight_channels_to_xyz_are_a_tenth_of_a_difference_off() {
     };
     let mut differences = Sizes::default();
     for patch in (1..99).step_by(2).map(seen) {
-        let got = matrix.xyz(&exactly(&patch)).expect("a colour");
+        let got = matrix.xyz(&exactly(&patch)).expect("a color");
         differences.0.push(model::delta_e::de2000(lab(got), lab(xyz(&patch))));
     }
     let mut check = check("8 channels to XYZ, CIEDE2000");

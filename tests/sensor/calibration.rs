@@ -57,7 +57,7 @@ fn the_matrix_of_297_patches_is_the_one_of_f64() {
     let patches = patches(&["FL2", "FL11", "LED-B3"]);
     let fit = fitted(&patches);
     assert_eq!(fit.patches(), 297);
-    let matrix = fit.solve().expect("different colours");
+    let matrix = fit.solve().expect("different colors");
     let mut coefficients = check("matrix of a fit");
     compare(&mut coefficients, matrix.rows(), &model_fit(&patches));
     coefficients.tight(24);

@@ -1,4 +1,4 @@
-//! How silicon sees: from counts to colours.
+//! How silicon sees: from counts to colors.
 
 mod as7341;
 mod auto_exposure;

@@ -1,4 +1,4 @@
-//! What is made of readings besides colour: uncertainty, flicker, the median of the last ones.
+//! What is made of readings besides color: uncertainty, flicker, the median of the last ones.
 
 use model::allowed::check;
 use model::cct::{cct as nearest, uv_at};
@@ -48,7 +48,7 @@ fn uncertainties_are_the_spread_of_simulated_readings() {
         }
         let exact: [u16; 8] = counts.map(|count| count.round() as u16);
         let covariance = to_xyz.covariance(&noise.variances(&exposure, &exact));
-        let xyz = to_xyz.xyz(&exposure.basic_counts(&exact).expect("counts")).expect("a colour");
+        let xyz = to_xyz.xyz(&exposure.basic_counts(&exact).expect("counts")).expect("a color");
         let [x, y, z] = covariance.uncertainty().to_array();
         let cct = covariance.cct(xyz).expect("near the locus");
         // The spread of so many draws is itself uncertain by 0.35 %; four times that, and 0.5 % for the bend of the

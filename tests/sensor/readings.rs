@@ -1,4 +1,4 @@
-//! A reading, from the counts on the bus to a colour or to the reason why there is none.
+//! A reading, from the counts on the bus to a color or to the reason why there is none.
 
 use crate::TO_XYZ;
 use model::allowed::check;
@@ -85,7 +85,7 @@ fn counts_at_the_ends_of_the_range_have_a_meaning() {
         assert_eq!(EXPOSURE.basic_counts(&[count; 8]), Err(Unusable::Saturated { channels: all }));
     }
     assert_eq!(EXPOSURE.basic_counts(&[f32::INFINITY; 8]), Err(Unusable::Saturated { channels: all }));
-    // All equal is no colour of its own: it is what the calibration says of it.
+    // All equal is no color of its own: it is what the calibration says of it.
     let equal = EXPOSURE.basic_counts(&[1000_u16; 8]).expect("a reading");
     assert!(TO_XYZ.xyz(&equal).is_ok_and(|xyz| xyz.y > 0.0));
 }
@@ -126,7 +126,7 @@ fn a_negative_color_is_an_outcome_and_keeps_its_numbers() {
     let Err(Unusable::Negative { xyz }) = TO_XYZ.xyz(&red) else { panic!("{:?}", TO_XYZ.xyz(&red)) };
     assert_eq!(xyz.to_array(), [-0.2993, -0.1845, -0.09507]);
     let text = TO_XYZ.xyz(&red).unwrap_err().to_string();
-    assert_eq!(text, "the calibration gives a negative colour: X -0.2993, Y -0.1845, Z -0.09507");
+    assert_eq!(text, "the calibration gives a negative color: X -0.2993, Y -0.1845, Z -0.09507");
 }
 
 #[test]
@@ -228,7 +228,7 @@ fn a_set_of_channels_says_which() {
 }
 
 proptest! {
-    /// One pass and step by step give the same colour, or the same reason.
+    /// One pass and step by step give the same color, or the same reason.
     #[test]
     fn a_meter_reads_as_its_steps_do(
         counts in any::<[u16; 8]>(), dark in 0.0_f32..200.0, gain in 0.5_f32..512.0, atime in any::<u8>(),

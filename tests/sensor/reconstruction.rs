@@ -19,7 +19,7 @@ type Chip = Observer<8, 31, Power, Grid>;
 
 static AS7341: Chip = nominal::AS7341.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
-/// Eight channels so wide that each sees much of what its neighbours see.
+/// Eight channels so wide that each sees much of what its neighbors see.
 static WIDE: Chip = wide_channels(80.0);
 static WIDER: Chip = wide_channels(120.0);
 

@@ -1,6 +1,6 @@
 //! What the number of bins costs: folded observers against a 0.1 nm truth.
 //!
-//! CIEDE2000 of the 99 colour evaluation samples under the CIE fluorescent and LED lamps; "truth" is the f64
+//! CIEDE2000 of the 99 color evaluation samples under the CIE fluorescent and LED lamps; "truth" is the f64
 //! model's integral every 0.1 nm of the same piecewise linear data. `examples/cost` sweeps more lamps, schemes and
 //! ranges; here is what must hold with every set of features.
 
@@ -206,9 +206,9 @@ fn white_in_bins<const N: usize>(eye: &FineObserver<3, Factor>, curve: Curve) ->
     eye.fold::<N, Bins<380, 730>>(curve).sees(&Reflectance::flat(1.0))
 }
 
-/// The light's own colour through the fold, against the f64 sum of the same 1 nm rule.
+/// The light's own color through the fold, against the f64 sum of the same 1 nm rule.
 #[test]
-fn the_light_itself_has_the_same_colour_at_every_number_of_bins() {
+fn the_light_itself_has_the_same_color_at_every_number_of_bins() {
     let mut worst = 0.0_f64;
     for id in ["A", "D65", "FL2", "FL11", "HP1", "HP4", "LED-B3", "LED-RGB1", "NIST_05"] {
         let source = source(id);

@@ -1,4 +1,4 @@
-//! Every maths backend against f64, over the whole domain of every function. (`every_f32` has the own functions at
+//! Every math backend against f64, over the whole domain of every function. (`every_f32` has the own functions at
 //! every number.)
 
 use model::allowed::check;
@@ -40,7 +40,7 @@ fn two(what: &'static str, inputs: &[(f32, f32)], f: fn(f32, f32) -> f32, exact:
     check.tight(inputs.len());
 }
 
-/// Bases and exponents that colour needs: signals 1e-6..=1e4, exponents of transfer functions and of five.
+/// Bases and exponents that color needs: signals 1e-6..=1e4, exponents of transfer functions and of five.
 fn powers() -> Vec<(f32, f32)> {
     let exponents = [1.0 / 2.4, 2.4, 0.45, 1.0 / 0.45, 0.159_301_76, 78.843_75 / 8.0, 1.0 / 3.0, 5.0, -2.0];
     let bases = spread(1e-3, 1e3).step_by(11);
@@ -100,7 +100,7 @@ backend!(the_micromath_backend_is_as_far_off_as_its_page_says "Micromath" math::
 
 #[cfg(feature = "micromath")]
 #[test]
-fn micromath_is_not_for_colour() {
+fn micromath_is_not_for_color() {
     use math::Micromath;
     use model::allowed::Singles;
     use nanospectra::color::transfer::{self, Transfer};
@@ -185,7 +185,7 @@ fn portable_functions_at_the_edges_of_their_domains() {
 fn fast_functions_at_the_edges_of_their_domains() {
     use math::Fast;
     edges::<Fast>();
-    // What it says of itself: no number for an infinity, the grey of a white exactly 1.
+    // What it says of itself: no number for an infinity, the gray of a white exactly 1.
     assert!(Fast::cbrt(f32::INFINITY).is_nan() && Fast::cbrt(f32::NEG_INFINITY).is_nan());
     for k in -40..=40 {
         assert_eq!(Fast::cbrt(8f32.powi(k)), 2f32.powi(k), "the cube root of 8^{k}");

@@ -1,5 +1,5 @@
 //! What goes wrong in f32 if it is written naively, at the tolerance that the stable form holds: Planck's law from
-//! 1 K to 1e12 K, long sums, extreme scales. (Colour differences, Lab and transfer functions have files of
+//! 1 K to 1e12 K, long sums, extreme scales. (Color differences, Lab and transfer functions have files of
 //! their own; the locus has `cct.rs`, the roots have `backends.rs`.)
 #![cfg(feature = "libm")]
 
@@ -55,7 +55,7 @@ fn planck_is_right_wherever_light_is_seen() {
 }
 
 #[test]
-fn planck_agrees_with_the_golden_from_x_rays_to_a_metre() {
+fn planck_agrees_with_the_golden_from_x_rays_to_a_meter() {
     let mut check = check("Planck of the golden, in (3x + 8) eps");
     let (mut compared, mut flushed, mut exact_inputs) = (0, 0, 0);
     for row in golden("06_planck").rows() {
@@ -121,7 +121,7 @@ fn planck_fades_out_instead_of_stopping_where_the_exponential_overflows() {
     }
     check.tight(compared);
     assert!(compared > 1000 && flushed > 100, "{compared} compared, {flushed} flushed");
-    // Row 4 of the hard cases, 2e-30 W m-2 sr-1 for a metre, is 2e-39 for a nanometre: flushed.
+    // Row 4 of the hard cases, 2e-30 W m-2 sr-1 for a meter, is 2e-39 for a nanometer: flushed.
     assert_eq!(blackbody(555.0, 250.0), 0.0);
     assert!(blackbody(555.0, 255.0) > 0.0);
     // No step where the two forms meet.
@@ -177,7 +177,7 @@ fn short_names_mean_the_portable_backend() {
 
 #[cfg(feature = "micromath")]
 #[test]
-fn micromath_is_no_backend_for_colour() {
+fn micromath_is_no_backend_for_color() {
     use nanospectra::math::Micromath;
     let mut check = check("Planck by micromath");
     for nm in (360..=830).step_by(10) {

@@ -73,11 +73,11 @@ fn values_between_samples_are_the_published_ones() {
         let (file, column) = row.text("series").split_once(':').expect("file:column");
         let samples = pairs(&model::tables::samples(file, column));
         let nm = row.number("wavelength_nm");
-        // Grids are types: one of quarter nanometres has a node at all but the odd wavelengths.
+        // Grids are types: one of quarter nanometers has a node at all but the odd wavelengths.
         if nm * 4.0 != (nm * 4.0).round() || !(360.0..=830.0).contains(&nm) {
             continue;
         }
-        let at = |by| f64::from(quarter_nanometre(nm, &samples, by));
+        let at = |by| f64::from(quarter_nanometer(nm, &samples, by));
         linear.cell(row, "linear", at(Interpolation::Linear));
         sprague.cell(row, "sprague", at(Interpolation::Sprague));
         rows += 1;
@@ -87,8 +87,8 @@ fn values_between_samples_are_the_published_ones() {
     assert_eq!(rows, 116, "rows of the golden");
 }
 
-/// The value at a wavelength on the grid of quarter nanometres over 360..=830.
-fn quarter_nanometre(nm: f64, samples: &[(f32, f32)], by: Interpolation) -> f32 {
+/// The value at a wavelength on the grid of quarter nanometers over 360..=830.
+fn quarter_nanometer(nm: f64, samples: &[(f32, f32)], by: Interpolation) -> f32 {
     let spectrum = Spectrum::<Power, 1881, Nodes<360, 830>>::interpolated(samples, by, Outside::Zero)
         .expect("a golden series is a good spectrum");
     spectrum.values()[((nm - 360.0) * 4.0) as usize]

@@ -75,7 +75,7 @@ fn the_average_of_a_constant_is_that_constant_at_every_number_of_bands() {
 
 /// Values without a pattern, none of them round.
 fn uneven<Q, const N: usize, G: Grid>() -> Spectrum<Q, N, G> {
-    Spectrum::at_centres(|nm| (nm * 0.913).sin().abs() + 0.01)
+    Spectrum::at_centers(|nm| (nm * 0.913).sin().abs() + 0.01)
 }
 
 #[test]
@@ -269,7 +269,7 @@ fn nan_in_is_nan_out_and_stays_where_it_is() {
     assert_eq!(bad(light.resample::<70, Bins<380, 730>>(Outside::Zero).values()), 2);
     assert_eq!(bad(light.resample::<7, Bins<380, 730>>(Outside::Zero).values()), 1);
     assert_eq!(bad(light.resample::<3, Bins<600, 700>>(Outside::Zero).values()), 0);
-    // Straight lines: between the neighbours at 495 and 515 nm and no further.
+    // Straight lines: between the neighbors at 495 and 515 nm and no further.
     let points = light.interpolate::<351, Nodes<380, 730>>(Interpolation::Linear, Outside::Hold);
     assert_eq!(bad(points.values()), 19);
     assert!((light + uneven()).values()[12].is_nan() && (light * 0.0).values()[12].is_nan());

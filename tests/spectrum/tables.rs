@@ -295,7 +295,7 @@ fn no_two_tables_are_copies_of_each_other() {
     let (mut nearest, mut pair) = (f32::INFINITY, String::new());
     for i in 0..all.len() {
         for j in 0..i {
-            // L41 of CIE 251 is modelled on LED-B3.
+            // L41 of CIE 251 is modeled on LED-B3.
             if all[i].0 == format!("{} 1 nm", all[j].0) || all[i].0 == "L41" && all[j].0.starts_with("LED-B3")
             {
                 continue;

@@ -1,5 +1,5 @@
-//! 8-bit sRGB colours, upsampled and looked at again: in plain `cargo test` every fifth level of each channel, and
-//! all 2^24 colours (`cargo xtask full` does so for the default map) with
+//! 8-bit sRGB colors, upsampled and looked at again: in plain `cargo test` every fifth level of each channel, and
+//! all 2^24 colors (`cargo xtask full` does so for the default map) with
 //!
 //!     NANOSPECTRA_STRIDE=1 cargo test --release -p nanospectra --test upsample all::
 #![cfg(feature = "libm")]
@@ -18,12 +18,12 @@ use std::sync::atomic::{AtomicU32, Ordering};
 /// What a sweep found.
 #[derive(Clone, Copy, Debug, Default)]
 struct Findings {
-    colours: u64,
+    colors: u64,
     /// 8-bit codes that did not come back.
     wrong: u64,
-    /// Colours whose status is not `Exact`.
+    /// Colors whose status is not `Exact`.
     unsolved: u64,
-    /// Values outside 0..=1, and greys that are not constant.
+    /// Values outside 0..=1, and grays that are not constant.
     impossible: u64,
     sum: f64,
     worst: f64,
@@ -35,7 +35,7 @@ impl Findings {
         // NaN is worse than any number.
         let first = self.worst >= other.worst || self.worst.is_nan();
         Findings {
-            colours: self.colours + other.colours,
+            colors: self.colors + other.colors,
             wrong: self.wrong + other.wrong,
             unsolved: self.unsolved + other.unsolved,
             impossible: self.impossible + other.impossible,
@@ -81,7 +81,7 @@ fn code(linear: f64) -> i32 {
     (255.0 * code).round() as i32
 }
 
-/// Eight neighbours in blue at a time.
+/// Eight neighbors in blue at a time.
 fn look<const N: usize, G: Grid, M: StartMap>(
     model: &Model<N>,
     sigmoid: &Sigmoid<N, G, Srgb, M>,
@@ -92,7 +92,7 @@ fn look<const N: usize, G: Grid, M: StartMap>(
     let solved: [Solved<SigmoidReflectance>; 8] = sigmoid.reflectance_8(&asked);
     for (code3, solved) in codes.iter().zip(solved) {
         let spectrum = solved.spectrum.on_grid::<N, G>();
-        findings.colours += 1;
+        findings.colors += 1;
         findings.unsolved += u64::from(solved.status != Status::Exact);
         let possible = spectrum.values().iter().all(|s| (0.0..=1.0).contains(s));
         let [r, g, b] = *code3;
@@ -144,19 +144,19 @@ fn sweep<const N: usize, G: Grid + Sync + Send, M: StartMap + Sync>(step: usize)
 
 fn hold(what: &str, found: Findings, allowed: f64) {
     println!(
-        "{what}: {} colours, {} wrong codes, {} unsolved, {} impossible, mean {:.2e}, max {:.6} at #{:06x}",
-        found.colours,
+        "{what}: {} colors, {} wrong codes, {} unsolved, {} impossible, mean {:.2e}, max {:.6} at #{:06x}",
+        found.colors,
         found.wrong,
         found.unsolved,
         found.impossible,
-        found.sum / found.colours as f64,
+        found.sum / found.colors as f64,
         found.worst,
         found.worst_at
     );
     assert_eq!((found.wrong, found.unsolved, found.impossible), (0, 0, 0), "{what}");
     assert!(found.worst <= allowed, "{what}: {} CIEDE2000", found.worst);
-    // Of all colours: an allowance of twice what is needed would hide a loss.
-    assert!(found.colours < 1 << 24 || found.worst > allowed / 2.0, "{what}: {} CIEDE2000", found.worst);
+    // Of all colors: an allowance of twice what is needed would hide a loss.
+    assert!(found.colors < 1 << 24 || found.worst > allowed / 2.0, "{what}: {} CIEDE2000", found.worst);
 }
 
 fn every_grid<M: StartMap + Sync>(map: &str, allowed: f64) {

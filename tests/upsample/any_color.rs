@@ -1,4 +1,4 @@
-//! What holds for every colour, on colours that nobody chose.
+//! What holds for every color, on colors that nobody chose.
 #![cfg(feature = "libm")]
 
 use crate::LIGHT;
@@ -24,7 +24,7 @@ static WIDE_VIEWING: Viewing<16, Bins<380, 730>, Bt2020> =
 static WIDE: Sigmoid<16, Bins<380, 730>, Bt2020, Linear> = Sigmoid::new(&WIDE_VIEWING);
 static WIDE_BASIS: Basis<16, Bins<380, 730>, Bt2020> = Basis::new(&WIDE_VIEWING);
 
-/// The whole range, the faces, near black, near white, near grey.
+/// The whole range, the faces, near black, near white, near gray.
 fn component() -> impl Strategy<Value = f32> {
     prop_oneof![
         4 => 0.0f32..=1.0,
@@ -53,7 +53,7 @@ fn any_number() -> impl Strategy<Value = f32> {
     ]
 }
 
-/// Every finite size that there is, and so in a colour sizes that do not go together.
+/// Every finite size that there is, and so in a color sizes that do not go together.
 fn wild() -> impl Strategy<Value = f32> {
     let size = (any::<bool>(), -149.0f32..127.9);
     const ENDS: [f32; 7] = [0.0, 1e-45, f32::MIN_POSITIVE, 1e-20, 1e20, 0.25 * f32::MAX, f32::MAX];
@@ -84,7 +84,7 @@ fn bits(solved: &Solved<SigmoidReflectance>) -> ([u32; 4], String) {
     (solved.spectrum.to_texel().map(f32::to_bits), format!("{:?}", solved.status))
 }
 
-/// What must hold for the reflectance of any finite colour; `exact` is what `Exact` may be off by, in CIEDE2000.
+/// What must hold for the reflectance of any finite color; `exact` is what `Exact` may be off by, in CIEDE2000.
 fn assert_sound<const N: usize, G: nanospectra::Grid, S: RgbSpace, M: StartMap>(
     viewing: &Viewing<N, G, S>,
     sigmoid: &Sigmoid<N, G, S, M>,
@@ -167,7 +167,7 @@ fn what_is_called_exact_is_so_at_the_limit_of_the_solid() {
 }
 
 #[test]
-fn what_comes_near_a_primary_is_hardly_further_off_than_a_mixture_with_grey() {
+fn what_comes_near_a_primary_is_hardly_further_off_than_a_mixture_with_gray() {
     for color in 1..7 {
         let color = rgb([1, 2, 4].map(|bit| if color & bit > 0 { 1.0 } else { 0.0 }));
         let off =

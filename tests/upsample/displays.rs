@@ -39,7 +39,7 @@ fn a_display_emits_the_color_it_is_asked_for() {
             }
         }
     }
-    // Narrow LEDs show more colours than filters before a white one.
+    // Narrow LEDs show more colors than filters before a white one.
     let lcd_green = LED.rgb(LCD.xyz([0.0, 1.0, 0.0]));
     assert!(lcd_green.iter().all(|amount| *amount > 0.0), "{lcd_green:?}");
     let led_green = LCD.rgb(LED.xyz([0.0, 1.0, 0.0]));

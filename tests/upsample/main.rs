@@ -12,7 +12,7 @@ use nanospectra::{Fine, Interpolation, Outside, Power, light::D65};
 
 const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
 
-/// Every colour of an n^3 cube of encoded values.
+/// Every color of an n^3 cube of encoded values.
 fn cube(n: usize, mut f: impl FnMut([f32; 3])) {
     let level = |k: usize| k as f32 / (n - 1) as f32;
     for r in 0..n {

@@ -1,4 +1,4 @@
-//! RGB to spectrum against the published and precomputed values of golden 08, and what holds for single colours.
+//! RGB to spectrum against the published and precomputed values of golden 08, and what holds for single colors.
 #![cfg(feature = "libm")]
 
 use crate::{LIGHT, cube};
@@ -106,7 +106,7 @@ fn smits_is_off_under_d65_and_says_so() {
     let mean = sum / count as f32;
     println!("Smits under D65: {mean} in the mean, {worst} at most, {wrong} of {count} codes wrong");
     assert!((mean - MEAN).abs() < 1e-3 && (worst - WORST).abs() < 1e-3);
-    println!("up to {highest}, greys ripple by {ripple}");
+    println!("up to {highest}, grays ripple by {ripple}");
     assert!((highest - 1.015).abs() < 2e-4 && (ripple - 8e-4).abs() < 1e-6, "{highest} {ripple}");
 }
 
@@ -138,7 +138,7 @@ fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
                     miss.delta_e()
                 );
                 assert!(miss.delta_e76() > 0.0);
-                // Desaturated it is solved, keeps its luminance, and some of its colour.
+                // Desaturated it is solved, keeps its luminance, and some of its color.
                 let less = sigmoid.desaturated(rgb);
                 let Status::Desaturated { kept, miss } = less.status else { panic!("{rgb:?}: {less:?}") };
                 let given = viewing.rgb(&less.spectrum.on_grid());
@@ -190,7 +190,7 @@ fn the_basis_is_exact_on_every_grid_of_sixteen_bands_and_more() {
                 assert!(spectrum.values().iter().all(|s| (0.0..=1.0).contains(s)), "N = {N}: {spectrum:?}");
             }
             if r == g && g == b {
-                assert_eq!(spectrum.values(), &[r; N], "a grey");
+                assert_eq!(spectrum.values(), &[r; N], "a gray");
             }
         });
         let [red, green, blue] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
@@ -326,7 +326,7 @@ fn what_is_no_color_of_a_surface_is_answered_and_says_so() {
     }
     let Status::Unreachable(miss) = ask(-0.5, 0.9, -0.3).status else { panic!("no such green") };
     assert!(miss.delta_e() > 1.0);
-    // Brighter than white there is no grey of its luminance: what it is mixed with is white.
+    // Brighter than white there is no gray of its luminance: what it is mixed with is white.
     let Status::Desaturated { kept, miss } = SIGMOID.desaturated(Rgb::new(1.0, 1.5, 1.0)).status else {
         panic!("brighter than white")
     };

@@ -1,7 +1,7 @@
 //! Who looks: what an error means beside the choice of an observer.
 
 use crate::cells::{DIFFERENCES, summary};
-use crate::nanometres::{Lit, for_y_100, world};
+use crate::nanometers::{Lit, for_y_100, world};
 use crate::report::{Cell, Column, Table};
 use crate::xyz::lamps::CLASSES;
 use model::delta_e::de2000;

@@ -23,7 +23,7 @@ const STYLE: &str = "\
 .page { fill: #0d1117 } .ink { fill: #f0f6fc } .faint { fill: #9198a1 } .grid { stroke: #2a313c } \
 .ring { stroke: #f0f6fc } .front { stroke: #f0f6fc } }";
 
-/// Each scheme with its colour: told apart by the colour-blind, and seen on white and on black.
+/// Each scheme with its color: told apart by the color-blind, and seen on white and on black.
 const SCHEMES: [(&str, &str); 8] = [
     ("points", "#d55e00"),
     ("averages", "#e69f00"),

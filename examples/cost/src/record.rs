@@ -8,7 +8,7 @@ pub const CLASSES: [&str; 6] = ["smooth", "halophosphate", "triphosphor", "led",
 
 /// A scheme on a range with so many bands: CIEDE2000 of each class, and what it costs.
 pub struct Choice {
-    /// nm; `-` of colours.
+    /// nm; `-` of colors.
     pub range: String,
     pub scheme: String,
     pub bands: u32,

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 /// One table of the report.
 pub struct Table {
-    /// A word for the JSON, the pictures and the checks: `xyz`, `maths`.
+    /// A word for the JSON, the pictures and the checks: `xyz`, `math`.
     pub id: &'static str,
     /// One line above it.
     pub title: String,

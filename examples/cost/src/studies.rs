@@ -1,7 +1,7 @@
 //! Every study, in the order of the report.
 
 use crate::report::Table;
-use crate::{cct, effects, maths, observers, sums, tables, upsample, xyz};
+use crate::{cct, effects, math, observers, sums, tables, upsample, xyz};
 
 /// A question, and what answers it.
 pub struct Study {
@@ -13,7 +13,7 @@ pub struct Study {
 
 pub const STUDIES: &[Study] = &[
     Study { name: "xyz", run: xyz::tables },
-    Study { name: "maths", run: maths::tables },
+    Study { name: "math", run: math::tables },
     Study { name: "tables", run: tables::tables },
     Study { name: "cct", run: cct::tables },
     Study { name: "upsample", run: upsample::tables },

@@ -1,7 +1,7 @@
-//! The colour-matching functions in fewer bytes.
+//! The color-matching functions in fewer bytes.
 
 use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, in_order, mean, summary};
-use crate::nanometres::{Light, Lit, NODES, for_y_100, nm, world};
+use crate::nanometers::{Light, Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
 use crate::xyz::lamps::CLASSES;
 use model::delta_e::de2000;
@@ -16,15 +16,15 @@ pub fn tables(_: usize) -> Vec<Table> {
     columns.extend(DIFFERENCES);
     columns.extend([
         Column::figure("own_white_mean_de2000", "own white: mean"),
-        Column::figure("colorless_percent", "no colour, %"),
+        Column::figure("colorless_percent", "no color, %"),
         Column::figure("beaten_by", "beaten by"),
     ]);
     columns.extend(COUNTED);
     vec![Table {
         id: "tables",
         title: "Tables of the CIE 1931 functions".into(),
-        about: "CIEDE2000 of the 99 samples against sums of the f64 functions over the same nanometres, 360..830 nm, \
-                so that nothing shows but the table; the white is the true one, then the table's own. No colour: the \
+        about: "CIEDE2000 of the 99 samples against sums of the f64 functions over the same nanometers, 360..830 nm, \
+                so that nothing shows but the table; the white is the true one, then the table's own. No color: the \
                 white has no X, Y or Z left. Beaten by: tables of no more bytes whose mean is smaller. Integers are \
                 shares of the largest value of their function. Instructions are those of x, y and z at a wavelength."
             .into(),
@@ -33,7 +33,7 @@ pub fn tables(_: usize) -> Vec<Table> {
     }]
 }
 
-/// Three functions every nanometre, and what they take.
+/// Three functions every nanometer, and what they take.
 struct Stored {
     name: &'static str,
     /// As its count is on record.

@@ -19,7 +19,7 @@ use rgb2spec::RGB2Spec;
 use rgb2spec::optimize::{gamut::Gamut, optimize};
 use std::hint::black_box;
 
-/// Where colours are compared, and where they are priced.
+/// Where colors are compared, and where they are priced.
 type Wide = Nodes<380, 780>;
 type Few = Nodes<400, 700>;
 const WIDE: usize = 81;
@@ -53,7 +53,7 @@ pub fn tables(runs: usize) -> Vec<Table> {
             "There and back: every 15th code of each component on {WIDE} bands of 380..780 nm under D65. Under other \
              lamps: the {samples} of the 99 samples that are within sRGB, themselves against what is made of their \
              RGB, the lamp being the white. The product of RGB has no spectrum: the lamp's RGB times the surface's. \
-             Bytes, instructions and times: a colour on {FEW} bands of 400..700 nm, what was worked out for them included."
+             Bytes, instructions and times: a color on {FEW} bands of 400..700 nm, what was worked out for them included."
         ),
         columns: with_price(columns),
         rows: study.rows(runs),
@@ -198,7 +198,7 @@ impl Study {
 
 fn by_table<const N: usize, G: Grid>(table: &RGB2Spec, rgb: Rgb<Srgb>) -> Reflectance<N, G> {
     let coefficients = table.fetch(rgb.to_array());
-    Reflectance::at_centres(|nm| rgb2spec::eval_precise(coefficients, nm))
+    Reflectance::at_centers(|nm| rgb2spec::eval_precise(coefficients, nm))
 }
 
 /// What the numbers of a table of the crate take as f32.

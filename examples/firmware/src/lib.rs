@@ -6,7 +6,7 @@
 //! | `hard`       | what does an FPU make of the hard cases, with and without subnormal numbers? |
 //! | `count`      | how many instructions does a call take? |
 //! | `yardsticks` | how many do the methods of others take? |
-//! | `backends`   | how many do the functions of each maths backend take? |
+//! | `backends`   | how many do the functions of each math backend take? |
 //! | `price`      | how many does each step of a reading take, and how much stack? |
 //! | `price_whole` | how many does a whole reading take? |
 //! | `empty`      | how many bytes does a program need that measures nothing? |

@@ -1,4 +1,4 @@
-//! From counts to colour, as an instrument does it with every reading.
+//! From counts to color, as an instrument does it with every reading.
 
 use crate::readings::EXPOSURE;
 use nanospectra::color::{Cct, Lab, Xyz};

@@ -4,7 +4,7 @@ use nanospectra::light::FL11;
 use nanospectra::matter::Dye;
 use nanospectra::{Interpolation, Light, Outside, Reflectance};
 
-/// FL11 at the centres of 31 bands.
+/// FL11 at the centers of 31 bands.
 pub static LAMP: Light<31> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
 
 /// Absorbs blue (up to 490 nm) and emits green (500 to 580 nm).
@@ -12,7 +12,7 @@ pub static VEST: Dye<31> = {
     let (mut reflects, mut absorbs, mut emits) = ([0.1; 31], [0.0; 31], [0.0; 31]);
     let mut k = 0;
     while k < 31 {
-        let nm = Light::<31>::centre_nm(k);
+        let nm = Light::<31>::center_nm(k);
         if nm < 490.0 {
             absorbs[k] = 0.8;
         } else {

@@ -125,7 +125,7 @@ fn limits(checks: &mut Checks) {
         near(full.xyz.to_array(), [2383.6513, 2380.2095, 3048.705], 4e-3),
     );
     let cct = [equal, full].map(|color| color.cct.near().unwrap_or_default().0);
-    checks.that("the same colour at any brightness", near(cct, [7262.05; 2], 0.8));
+    checks.that("the same color at any brightness", near(cct, [7262.05; 2], 0.8));
     checks.that(
         "a deep red alone is no light that the calibration knows",
         matches!(measure(&[0, 0, 0, 0, 0, 0, 0, 9000]), Err(Unusable::Negative { xyz }) if xyz.y < 0.0),
@@ -146,7 +146,7 @@ fn dark(checks: &mut Checks) {
     let noise: [u16; 8] = [120, 121, 139, 130, 123, 130, 125, 129];
     let color = EXPOSURE.basic_counts_above(&levels, &noise).and_then(|basic| TO_XYZ.xyz(&basic));
     checks.that(
-        "noise about dark is no colour",
+        "noise about dark is no color",
         matches!(color, Err(Unusable::Negative { xyz }) if xyz.z < 0.0 && xyz.y > 0.0),
     );
     let strict = EXPOSURE.with_floor(10.0);

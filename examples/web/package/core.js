@@ -1,4 +1,4 @@
-// The small module: a light to XYZ, CCT and sRGB, Lab, an sRGB colour to a spectrum.
+// The small module: a light to XYZ, CCT and sRGB, Lab, an sRGB color to a spectrum.
 import { Instrument, labOf } from './instrument.js';
 import { all, decoded, encoded, hex, single, three } from './numbers.js';
 import { sourceOf, wrong } from './samples.js';
@@ -6,7 +6,7 @@ import { sourceOf, wrong } from './samples.js';
 /** What the small module does. */
 export class Core extends Instrument {
   /**
-   * A light: XYZ (Y = 100), chromaticities, CCT and Duv, its colour on a display.
+   * A light: XYZ (Y = 100), chromaticities, CCT and Duv, its color on a display.
    * @param {Parameters<typeof sourceOf>[0]} samples
    */
   spectrum(samples, { name = 'samples' } = {}) {
@@ -31,7 +31,7 @@ export class Core extends Instrument {
   }
 
   /**
-   * The reflectance of an encoded sRGB colour at 400, 410 .. 700 nm; null if no smooth one has it.
+   * The reflectance of an encoded sRGB color at 400, 410 .. 700 nm; null if no smooth one has it.
    * @param {[number, number, number]} rgb 0..1
    */
   upsample(rgb) {

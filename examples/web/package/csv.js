@@ -180,7 +180,7 @@ export function parse(text, file = 'pasted') {
   }
 
   function checkWavelength(nm) {
-    if (nm <= 0) throw new Error(`${plain(nm)} is not a wavelength; give nanometres above 0`);
+    if (nm <= 0) throw new Error(`${plain(nm)} is not a wavelength; give nanometers above 0`);
     if (nms.length === 0) return;
     const before = nms.at(-1);
     if (nm === before)

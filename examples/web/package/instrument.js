@@ -1,4 +1,4 @@
-// What every module has: memory, a spectrum at every nanometre, the CIE's lamps.
+// What every module has: memory, a spectrum at every nanometer, the CIE's lamps.
 import { all, three } from './numbers.js';
 import { read } from './read.js';
 import { checkReach, exactly, needsExact, sourceOf, wrong } from './samples.js';
@@ -42,7 +42,7 @@ export class Instrument {
   /** Samples into the module's `samples`. @returns {number} how many */
   write(samples, at = 0) {
     if (at + samples.length > CAPACITY) {
-      throw new Error(`${at + samples.length} samples where ${CAPACITY} have room; average neighbours`);
+      throw new Error(`${at + samples.length} samples where ${CAPACITY} have room; average neighbors`);
     }
     samples.forEach(([nm, value], k) => {
       this.pairs[2 * (at + k)] = nm;
@@ -52,7 +52,7 @@ export class Instrument {
   }
 
   /**
-   * A spectrum at every nanometre into the module's `curve`.
+   * A spectrum at every nanometer into the module's `curve`.
    * @param {import('./csv.js').Source} source @param {{sprague?: boolean, hold?: boolean, scaled?: (x: number) => number}} how
    */
   read(source, { sprague = false, hold = false, scaled = (x) => x } = {}) {
@@ -85,7 +85,7 @@ export class Instrument {
       up = 2 ** -half;
     this.read(source, { sprague, scaled: (value) => value * up * up });
     if (this.curve.every((value) => value === 0)) {
-      throw wrong(source, 'no power at any whole nanometre of 360..830, nothing visible; give a spectrum that has');
+      throw wrong(source, 'no power at any whole nanometer of 360..830, nothing visible; give a spectrum that has');
     }
     return 2 ** (2 * half);
   }

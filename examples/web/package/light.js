@@ -19,7 +19,7 @@ const NO_WHITE = [
 const NO_RENDERING = [
   '',
   'the light has no visible power',
-  'under this light a sample has no real colour (negative values?)',
+  'under this light a sample has no real color (negative values?)',
   'the light is redder than 1000 K: there is no reference',
   'the light is bluer than 1000000 K: there is no reference',
   'the light is more than 0.05 (Duv) from the Planckian locus: not a white',
@@ -41,7 +41,7 @@ const OF_THE_LIGHT = [
 export class Light extends Instrument {
   /**
    * Tables of the CIE that it measures with, in the order of tools/tables.mjs: x, y, z of 1931 at 360..830 nm and the 99
-   * samples of CIE 224 at 380..780 nm, row after row; the test colours and a white every 5 nm from 350 nm, node after node.
+   * samples of CIE 224 at 380..780 nm, row after row; the test colors and a white every 5 nm from 350 nm, node after node.
    */
   get published() {
     const { tables } = this;
@@ -122,7 +122,7 @@ export class Light extends Instrument {
     return { ...reading, ...extra, curve: this.curve.slice() };
   }
 
-  /** Chromaticity, dominant wavelength and display colour from `out`. */
+  /** Chromaticity, dominant wavelength and display color from `out`. */
   color(reading, { eye, missing }, white) {
     const out = this.out.slice(0, 26);
     reading.XYZ = Array.from(out.slice(0, 3), (x) => single(x) ?? NaN);
@@ -271,7 +271,7 @@ export class Light extends Instrument {
   }
 
   /**
-   * Room in the module's memory for many lights at every nanometre of 360..830: write to `lights`, call `measure`, read
+   * Room in the module's memory for many lights at every nanometer of 360..830: write to `lights`, call `measure`, read
    * `results`, without copies. Of each light X, Y, Z, Ra, the distance to its reference and R1..R15.
    * @param {number} count at most 512
    */

@@ -87,7 +87,7 @@ export interface Reading {
 
 export interface UpsampleOptions {
   method?: 'sigmoid' | 'basis' | 'smits';
-  /** What to do with a colour that no smooth spectrum has. */
+  /** What to do with a color that no smooth spectrum has. */
   beyond?: 'nearest' | 'desaturate';
   /** Names of CIE illuminants or spectra to look under; D65 is always the first, so the module needs its lamps. */
   lights?: (string | Samples)[];
@@ -102,7 +102,7 @@ export interface Upsampled {
   spectrum: number[];
   roundtrip_rgb: Triple;
   delta_e2000: number;
-  /** Of the way from grey to a colour that was desaturated. */
+  /** Of the way from gray to a color that was desaturated. */
   kept: number | null;
   lights: { name: string; XYZ: Triple; lab: Triple; hex: string }[];
 }
@@ -130,7 +130,7 @@ export interface PartRecipe {
     transmitted?: boolean;
   };
   mirror?: { n: number; k?: number; angle_deg: number; axis_deg?: number };
-  polariser?: { axis_deg: number; along?: number; across?: number };
+  polarizer?: { axis_deg: number; along?: number; across?: number };
   retarder?: { path_difference_nm: number; axis_deg: number };
 }
 
@@ -214,7 +214,7 @@ export interface Instrument {
 
 /** Every number about a light or a surface. */
 export interface Light extends Instrument {
-  /** x, y, z of CIE 1931 at 360..830 nm and the 99 samples of CIE 224 at 380..780 nm, row after row; test colours. */
+  /** x, y, z of CIE 1931 at 360..830 nm and the 99 samples of CIE 224 at 380..780 nm, row after row; test colors. */
   readonly published: { eye: Float32Array; testColors: Float32Array; samples: Float32Array };
   spectrum(samples: Samples, options?: SpectrumOptions): Reading;
   /** A black body of 500 to 1000000 K, 1 at 560 nm. */
@@ -225,7 +225,7 @@ export interface Light extends Instrument {
   batch(count: number): Batch;
 }
 
-/** RGB colours to spectra. D65, under which they are the colours that they are, is one of the lamps. */
+/** RGB colors to spectra. D65, under which they are the colors that they are, is one of the lamps. */
 export interface Paint extends Instrument {
   upsample(rgb: Triple, options?: UpsampleOptions): Upsampled;
 }
@@ -245,7 +245,7 @@ export interface Core extends Instrument {
   ): Pick<Reading, 'XYZ' | 'xy' | 'uv1960' | 'uv1976' | 'cct_k' | 'duv' | 'hex'>;
   /** L*, a*, b* relative to a white; null if that is none. */
   lab(xyz: Triple, white: Triple): Triple | null;
-  /** The reflectance of an encoded sRGB colour (0..1); null if no smooth one has it. */
+  /** The reflectance of an encoded sRGB color (0..1); null if no smooth one has it. */
   upsample(rgb: Triple): { first_nm: number; step_nm: number; values: number[] } | null;
 }
 

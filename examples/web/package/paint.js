@@ -1,4 +1,4 @@
-// An RGB colour to the spectrum of a surface, and what that looks like under lamps.
+// An RGB color to the spectrum of a surface, and what that looks like under lamps.
 import { Instrument } from './instrument.js';
 import { all, hex, single, three } from './numbers.js';
 import { wrong } from './samples.js';
@@ -9,7 +9,7 @@ const BEYOND = ['nearest', 'desaturate'];
 /** What the module `paint` does. */
 export class Paint extends Instrument {
   /**
-   * The reflectance of an encoded sRGB colour at 380, 385 .. 780 nm, and what it looks like under lights.
+   * The reflectance of an encoded sRGB color at 380, 385 .. 780 nm, and what it looks like under lights.
    * @param {[number, number, number]} rgb 0..1
    * @param {import('./nanospectra.d.ts').UpsampleOptions} [options]
    */

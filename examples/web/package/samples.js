@@ -41,9 +41,9 @@ export function checkReach(source) {
     last = source.samples.at(-1)[0];
   if (first <= LAST && last >= FIRST) return;
   const unit = [
-    ['micrometres', 1e3],
+    ['micrometers', 1e3],
     ['ångströms', 0.1],
-    ['metres', 1e9],
+    ['meters', 1e9],
   ].find(([, nm]) => first * nm <= LAST && last * nm >= FIRST);
   const advice = unit
     ? `if these are ${unit[0]}, multiply by ${plain(unit[1])}`
@@ -69,7 +69,7 @@ export function remarks(source, sprague, hold) {
   }).length;
   if (unread > 0 && !sprague) {
     said.push(
-      `finer than 1 nm: the sum reads whole nanometres, so ${unread} of ${inside} samples ` +
+      `finer than 1 nm: the sum reads whole nanometers, so ${unread} of ${inside} samples ` +
         'do not count and narrow lines between are missed',
     );
   }

@@ -13,7 +13,7 @@ const FIELDS = {
   dye: { must: ['reflectance', 'absorption', 'emission', 'quantum_yield'], may: ['transmitted'] },
   film: { must: ['n', 'thickness_nm'], may: ['angle_deg', 'n_before', 'n_behind', 'transmitted'] },
   mirror: { must: ['n', 'angle_deg'], may: ['k', 'axis_deg'] },
-  polariser: { must: ['axis_deg'], may: ['along', 'across'] },
+  polarizer: { must: ['axis_deg'], may: ['along', 'across'] },
   retarder: { must: ['path_difference_nm', 'axis_deg'], may: [] },
 };
 const KINDS = Object.keys(FIELDS);
@@ -84,7 +84,7 @@ export class Scene {
     spectra.currentScene = this;
   }
 
-  /** Refuses a film at an angle beside something that tells directions of polarisation apart. */
+  /** Refuses a film at an angle beside something that tells directions of polarization apart. */
   checkFilms() {
     let films = 0,
       directed = 0;
@@ -95,10 +95,10 @@ export class Scene {
       }
       const oblique = kind === 'film' && (this.recipe.part[k].film.angle_deg ?? 0) > 0;
       films += oblique;
-      directed += oblique || ['mirror', 'polariser', 'retarder'].includes(kind);
+      directed += oblique || ['mirror', 'polarizer', 'retarder'].includes(kind);
       if (films && directed > 1) {
         throw new Error(
-          'a film at an angle polarises, which is not followed here beside a mirror, polariser, retarder or ' +
+          'a film at an angle polarizes, which is not followed here beside a mirror, polarizer, retarder or ' +
             'another such film; give angle_deg = 0, or put a surface between them',
         );
       }
@@ -214,20 +214,20 @@ export class Scene {
       throw new Error('an index of refraction out of range; give n = 0.01..100, k = 0..100');
     }
     this.check(this.spectra.wasm.mirror(n, k, this.cos(angle), this.turns(axis)));
-    return 'polarisation';
+    return 'polarization';
   }
 
-  polariser({ axis_deg: axis, along = 1, across = 0 }) {
+  polarizer({ axis_deg: axis, along = 1, across = 0 }) {
     if (![along, across].every((share) => within(share, 0, 1)))
       throw new Error('along and across are shares; give 0..1');
-    this.check(this.spectra.wasm.polariser(along, across, this.turns(axis)));
-    return 'polarisation';
+    this.check(this.spectra.wasm.polarizer(along, across, this.turns(axis)));
+    return 'polarization';
   }
 
   retarder({ path_difference_nm: nm, axis_deg: axis }) {
     if (!within(nm, 0, 1e5)) throw new Error(`path_difference_nm = ${plain(nm)} is no plate; give 0..100000`);
     this.check(this.spectra.wasm.retarder(nm, this.turns(axis)));
-    return 'polarisation';
+    return 'polarization';
   }
 
   /** The lamp into `curve`. @returns {string} its name */
@@ -252,7 +252,7 @@ export class Scene {
   }
 
   /**
-   * The colour, the spectra, the bill; `off` names parts (from 0) whose effects are switched off, `budget` is a
+   * The color, the spectra, the bill; `off` names parts (from 0) whose effects are switched off, `budget` is a
    * CIEDE2000 within which effects are left out.
    * @param {{off?: number[], budget?: number | null}} [options]
    */
@@ -265,7 +265,7 @@ export class Scene {
       throw new Error(`illuminance_lx = ${plain(level)} is no level; give lux, 0.000001 to 1000000000`);
     }
     if (budget !== null && !within(budget, 0, 1e6)) {
-      throw new Error(`${plain(budget)} is no colour difference; give 0 or more, 1 is just noticed`);
+      throw new Error(`${plain(budget)} is no color difference; give 0 or more, 1 is just noticed`);
     }
     for (const k of off) {
       if (!(Number.isInteger(k) && k >= 0 && k < this.parts.length)) {
@@ -280,7 +280,7 @@ export class Scene {
       look = out.subarray(162, 178),
       line = (k) => out.subarray(196 + 6 * k, 202 + 6 * k);
     const matt =
-      this.parts.findLast(({ kind }) => !['filter', 'polariser', 'retarder'].includes(kind))?.matt ?? false;
+      this.parts.findLast(({ kind }) => !['filter', 'polarizer', 'retarder'].includes(kind))?.matt ?? false;
     const [illuminance, irradiance, exitance, radiosity, luminance, radiance] = singles(out.subarray(182, 188));
     const left = out[195];
     return {

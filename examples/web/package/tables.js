@@ -91,14 +91,14 @@ function numbers(rule, columns, before, behind, tables, published) {
   }
   if (rule === RULES.test) return Float32Array.from(nodes(columns));
   const whole = columns.map((values) => {
-    if (rule === RULES.sample) return everyNanometre(values);
+    if (rule === RULES.sample) return everyNanometer(values);
     return [...Array(before).fill(0), ...values, ...Array(behind).fill(0)];
   });
   return Float32Array.from(whole.flat());
 }
 
 /** 5 nm to 1 nm as CIE 224 did it: Sprague's quintic, the ends held. */
-function everyNanometre(v) {
+function everyNanometer(v) {
   const at = (i) => v[Math.min(Math.max(i, 0), v.length - 1)];
   const out = [];
   for (let i = 0; i <= 5 * (v.length - 1); i++) {
@@ -114,7 +114,7 @@ function everyNanometre(v) {
 /** Sprague's weights beyond the ends, in f32. */
 const OUTER = BEYOND.map((weights) => weights.map((x) => Math.fround(x / 209)));
 
-/** The 15 test colours and a white, node after node, two nodes beyond each end: as the crate sums them. */
+/** The 15 test colors and a white, node after node, two nodes beyond each end: as the crate sums them. */
 function nodes(columns) {
   const inside = columns.map((values) => values.map(Math.fround));
   const beyond = (at) => OUTER.map((weights) => weights.reduce((sum, x, i) => sum + x * at(i), 0));
@@ -178,7 +178,7 @@ const linear = (v) =>
     return f(v[cell] + f(f((60 + k - 5 * cell) / 5) * f(v[cell + 1] - v[cell])));
   });
 
-/** The test colours every nanometre; the last, tabulated over 380..780 nm, held beyond. */
+/** The test colors every nanometer; the last, tabulated over 380..780 nm, held beyond. */
 const testColors = (columns) =>
   columns.map((values, k) => (k < 14 ? sprague(values.map(f), 0) : sprague(values.slice(4, 85).map(f), 4)));
 

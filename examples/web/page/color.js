@@ -22,7 +22,7 @@ export function xyOf(nm) {
 const encode = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
 const code = (c) => Math.round(255 * Math.min(Math.max(c, 0), 1));
 
-/** The brightest colour of a chromaticity that a display can show, or nearly; 0..255. */
+/** The brightest color of a chromaticity that a display can show, or nearly; 0..255. */
 export function rgbOf(x, y, dim = 1) {
   const [X, Y, Z] = [x / y, 1, (1 - x - y) / y];
   const linear = [
@@ -41,7 +41,7 @@ export function tint(nm) {
   return `rgb(${rgbOf(x / sum, y / sum, Math.min(2 * sum, 1) ** 0.35)})`;
 }
 
-/** Black or white, whichever can be read on a colour: they meet where its luminance is 0.18. @param {string} hex */
+/** Black or white, whichever can be read on a color: they meet where its luminance is 0.18. @param {string} hex */
 export function ink(hex) {
   const [r, g, b] = [1, 3, 5].map((at) => (parseInt(hex.slice(at, at + 2), 16) / 255) ** 2.2);
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18 ? '#000' : '#fff';

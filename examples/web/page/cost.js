@@ -230,7 +230,7 @@ export async function build(section) {
           h(
             'p',
             { class: 'hint' },
-            'Against the sum at 1 nm, over the 99 colour evaluation samples of CIE 224 under each lamp; computed here as the crate folds.',
+            'Against the sum at 1 nm, over the 99 color evaluation samples of CIE 224 under each lamp; computed here as the crate folds.',
           ),
         ),
         h(

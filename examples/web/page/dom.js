@@ -42,7 +42,7 @@ export function download(name, content, type = 'text/plain') {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** What a plot looks like without the page: its classes with the colours of the theme written in. */
+/** What a plot looks like without the page: its classes with the colors of the theme written in. */
 function standalone(svg) {
   const copy = svg.cloneNode(true),
     probe = h('i');
@@ -132,7 +132,7 @@ export const options = (list, chosen) =>
     return h('option', { value, selected: value === chosen }, text);
   });
 
-/** A labelled select. */
+/** A labeled select. */
 export const select = (label, list, chosen, onchange, id) =>
   h(
     'label',

@@ -1,11 +1,11 @@
-// The folds of the crate (src/observer/fold.rs) for any number of bands, and what they lose over the 99 colour
+// The folds of the crate (src/observer/fold.rs) for any number of bands, and what they lose over the 99 color
 // evaluation samples. A module has its number of bands in its types; the test compares these with the crate's.
 
 const FIRST = 360;
-/** Fine weights are at the whole nanometres FIRST..830, and their cells reach half a nanometre to each side. */
+/** Fine weights are at the whole nanometers FIRST..830, and their cells reach half a nanometer to each side. */
 const START = FIRST - 0.5;
 
-/** What of a row of fine weights falls into each bin: how much, and its moments about the bin's centre. */
+/** What of a row of fine weights falls into each bin: how much, and its moments about the bin's center. */
 function moments(row, from, width, bands, points) {
   const [mass, first, second] = [0, 1, 2].map(() => new Float64Array(bands));
   const add = (weight, at, half) => {
@@ -29,7 +29,7 @@ function moments(row, from, width, bands, points) {
   return { mass, first, second };
 }
 
-/** Each bin a parabola with the averages of the bin and its neighbours; an end bin continues its neighbour's. */
+/** Each bin a parabola with the averages of the bin and its neighbors; an end bin continues its neighbor's. */
 function parabola({ mass, first, second }) {
   const weights = mass.slice(),
     last = mass.length - 1;

@@ -205,8 +205,8 @@ export async function build(section) {
     swatch: h('div', { class: 'swatch', role: 'img', id: 'swatch' }),
     big: h('dl', { id: 'big' }),
     rows: h('tbody'),
-    cri: figure('Colour rendering index', 'cri', [640, 228]),
-    tm30: figure('TM-30 colour vectors', 'tm30', [420, 420]),
+    cri: figure('Color rendering index', 'cri', [640, 228]),
+    tm30: figure('TM-30 color vectors', 'tm30', [420, 420]),
     notes: h('ul', { class: 'notes' }),
     under: select('Under', lampNames(), state.under, change('under'), 'under'),
   };
@@ -336,7 +336,7 @@ export async function build(section) {
         h(
           'div',
           { class: 'card third' },
-          h('h2', {}, 'Colour'),
+          h('h2', {}, 'Color'),
           h('div', { class: 'answer', 'aria-live': 'polite' }, view.swatch, view.big),
           h(
             'div',

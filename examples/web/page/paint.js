@@ -1,4 +1,4 @@
-// Paint: an RGB colour, the spectra that have it, and what they look like under other lamps.
+// Paint: an RGB color, the spectra that have it, and what they look like under other lamps.
 import { ink } from './color.js';
 import { copy, figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
@@ -103,10 +103,10 @@ function work() {
     ),
   );
   const status = {
-    exact: 'has exactly this colour',
-    unreachable: 'no smooth reflectance has this colour; this is the nearest found',
+    exact: 'has exactly this color',
+    unreachable: 'no smooth reflectance has this color; this is the nearest found',
     unphysical: 'leaves 0..1',
-    approximate: 'comes near this colour',
+    approximate: 'comes near this color',
   };
   view.status.textContent = `${chosen.method}: ${status[chosen.status]}, round trip ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;
 }
@@ -183,7 +183,7 @@ export async function build(section) {
         h(
           'div',
           { class: 'card first' },
-          h('h2', {}, 'Colour to paint'),
+          h('h2', {}, 'Color to paint'),
           h(
             'div',
             { class: 'row' },
@@ -228,7 +228,7 @@ export async function build(section) {
             h(
               'table',
               {},
-              h('caption', {}, 'The colour that each spectrum has under D65'),
+              h('caption', {}, 'The color that each spectrum has under D65'),
               h(
                 'thead',
                 {},

@@ -53,7 +53,7 @@ function step(top) {
 }
 
 /**
- * A spectrum, filled with its colours.
+ * A spectrum, filled with its colors.
  * @param {[number, number][]} samples @param {string} yName
  */
 export function spectrum(
@@ -123,7 +123,7 @@ const DIAGRAMS = {
 };
 const fills = new Map();
 
-/** The colours inside the locus, as an image made once. */
+/** The colors inside the locus, as an image made once. */
 function fill(diagram) {
   if (fills.has(diagram)) return fills.get(diagram);
   const {
@@ -198,7 +198,7 @@ export function chromaticity(diagram, planck, points, [width, height]) {
   return svg + drawn;
 }
 
-/** R1..R15 as bars in the colours of the samples. @param {(number | null)[]} r @param {string[]} colors */
+/** R1..R15 as bars in the colors of the samples. @param {(number | null)[]} r @param {string[]} colors */
 export function bars(r, colors, width) {
   const each = (width - 62) / 15,
     low = Math.min(0, Math.max(-100, Math.floor(Math.min(...r) / 25) * 25));

@@ -39,7 +39,7 @@ function blackBodies() {
   );
 }
 
-/** The test colour samples under D65. */
+/** The test color samples under D65. */
 function sampleColors() {
   // Every 5 nm 15 samples and a white, from two nodes in front of 360 nm on.
   const table = spectra.published.testColors;
@@ -117,7 +117,7 @@ function tell(view, reading) {
   // While a spectrum is drawn, the plot says where the pen is.
   view.big.parentElement.setAttribute('aria-live', state.drawn ? 'off' : 'polite');
   view.swatch.style.background = reading.hex ?? 'transparent';
-  view.swatch.setAttribute('aria-label', `Colour ${reading.hex ?? 'none'}`);
+  view.swatch.setAttribute('aria-label', `Color ${reading.hex ?? 'none'}`);
   const big =
     reading.light !== undefined
       ? [

@@ -1,4 +1,4 @@
-// Scenes: what light meets on its way, each effect a switch; the colour, and what it costs.
+// Scenes: what light meets on its way, each effect a switch; the color, and what it costs.
 import { ink } from './color.js';
 import { figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
@@ -221,7 +221,7 @@ export async function build(section) {
                 h(
                   'tr',
                   {},
-                  ...['effect', 'without it, dE', 'colour', 'multiply-adds', 'bytes'].map((name, k) =>
+                  ...['effect', 'without it, dE', 'color', 'multiply-adds', 'bytes'].map((name, k) =>
                     h('th', { scope: 'col', class: k % 2 || k > 3 ? 'n' : '' }, name),
                   ),
                 ),
@@ -239,11 +239,11 @@ export async function build(section) {
         h(
           'div',
           { class: 'card' },
-          h('h2', {}, 'A budget for colour'),
+          h('h2', {}, 'A budget for color'),
           h(
             'label',
             { for: 'budget' },
-            'Leave effects out as long as the colour changes by no more than this, CIEDE2000',
+            'Leave effects out as long as the color changes by no more than this, CIEDE2000',
           ),
           budget,
           view.budgetSaid,

@@ -14,7 +14,7 @@ pub type Out = [f32; 512];
 pub struct Board {
     /// Pairs of wavelength in nm and value, in.
     pub samples: [(f32, f32); CAPACITY],
-    /// What they are at every nanometre of 360..=830; JavaScript may also write to it.
+    /// What they are at every nanometer of 360..=830; JavaScript may also write to it.
     pub curve: Fine<Power>,
     /// The light on surfaces, likewise.
     pub light: Fine<Power>,
@@ -81,7 +81,7 @@ pub fn code(error: SamplesError) -> u32 {
     }
 }
 
-/// Reads the samples at every nanometre into `curve`: linearly or by Sprague's rule (1; not in the small
+/// Reads the samples at every nanometer into `curve`: linearly or by Sprague's rule (1; not in the small
 /// module), zero outside or held (1). Gives 0 or the [`code`] of an error.
 #[unsafe(no_mangle)]
 extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
@@ -102,5 +102,5 @@ extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
 #[cfg(any(feature = "light", feature = "scene"))]
 #[unsafe(no_mangle)]
 extern "C" fn black_body(kelvin: f32) {
-    board().curve = Fine::at_centres(|nm| nanospectra::light::blackbody_relative(nm, kelvin));
+    board().curve = Fine::at_centers(|nm| nanospectra::light::blackbody_relative(nm, kelvin));
 }

@@ -1,4 +1,4 @@
-//! How much colour is lost with few bands: every fold against the sum at 1 nm, over the 99 colour evaluation
+//! How much color is lost with few bands: every fold against the sum at 1 nm, over the 99 color evaluation
 //! samples.
 
 use crate::board::board;

@@ -1,4 +1,4 @@
-//! What a light is good for: rendering, efficacy, clocks, plants; and the pure colour that it resembles.
+//! What a light is good for: rendering, efficacy, clocks, plants; and the pure color that it resembles.
 
 use crate::board::{Board, board, put};
 use crate::fixed::Fixed;

@@ -1,4 +1,4 @@
-//! A spectrum to its colour: of a light, or of a surface in a light.
+//! A spectrum to its color: of a light, or of a surface in a light.
 
 use crate::board::{Out, board, put};
 use nanospectra::FineObserver;
@@ -13,9 +13,9 @@ pub mod at {
     pub const ABSOLUTE: usize = 3;
     /// x, y; then u, v of 1960; then u', v' of 1976.
     pub const CHROMATICITY: usize = 6;
-    /// Correlated colour temperature in K, Duv, and what [`white`](super::white) says.
+    /// Correlated color temperature in K, Duv, and what [`white`](super::white) says.
     pub const CCT: usize = 12;
-    /// Encoded sRGB; then its 8-bit codes; then 1 if the colour was in the gamut. (Small module: linear sRGB.)
+    /// Encoded sRGB; then its 8-bit codes; then 1 if the color was in the gamut. (Small module: linear sRGB.)
     pub const SRGB: usize = 15;
     /// L*, a*, b* (surfaces), and CIEDE2000 to white.
     #[cfg(feature = "light")]

@@ -1,4 +1,4 @@
-//! An RGB colour to the spectrum of a surface.
+//! An RGB color to the spectrum of a surface.
 
 use crate::board::board;
 #[cfg(feature = "paint")]
@@ -31,7 +31,7 @@ type Start = nanospectra::upsample::Linear;
 type Start = nanospectra::upsample::Cubic;
 static SIGMOID: Sigmoid<N, Grid, Srgb, Start> = Sigmoid::new(&VIEWING);
 
-/// The reflectance of a linear sRGB colour into `out`, one number a band. Gives 0, or 1 for a colour that no
+/// The reflectance of a linear sRGB color into `out`, one number a band. Gives 0, or 1 for a color that no
 /// smooth spectrum has; then nothing is written.
 #[cfg(not(feature = "paint"))]
 #[unsafe(no_mangle)]
@@ -58,9 +58,9 @@ mod methods {
     /// The reflectance that was made last.
     static PAINT: Fixed<Reflectance<N, Grid>> = Fixed::new(Reflectance::flat(0.0));
 
-    /// The reflectance of an encoded sRGB colour by method 0 (sigmoid), 1 (basis) or 2 (Smits), a colour out
+    /// The reflectance of an encoded sRGB color by method 0 (sigmoid), 1 (basis) or 2 (Smits), a color out
     /// of reach desaturated (1) or met as near as can be. Into `out`: 81 numbers, the encoded RGB that they
-    /// have, CIEDE2000 between the two, and of the way from grey what a desaturated colour kept. Gives 0
+    /// have, CIEDE2000 between the two, and of the way from gray what a desaturated color kept. Gives 0
     /// exact, 1 unreachable, 2 desaturated, 3 not within 0..=1, 4 approximate, 5 not finite.
     #[unsafe(no_mangle)]
     extern "C" fn upsample(r: f32, g: f32, b: f32, method: u32, desaturate: u32) -> u32 {

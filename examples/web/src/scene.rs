@@ -1,11 +1,11 @@
-//! Light through what it meets: the colour, and what each part costs.
+//! Light through what it meets: the color, and what each part costs.
 
 use crate::board::{Board, board, code, given, put};
 use crate::display::displayed;
 use crate::fixed::Fixed;
 use nanospectra::color::{Lab, Xy, Xyz};
 use nanospectra::math::Portable;
-use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polariser, Retarder, Shares, ThinFilm};
+use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polarizer, Retarder, Shares, ThinFilm};
 use nanospectra::observer::{CIE_1931, CIE_1964};
 use nanospectra::path::{Part, Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
@@ -38,7 +38,7 @@ enum What {
     },
     Dye(Dye<N, Grid>),
     Mirror(Mirror<N, Grid>),
-    Polariser(Polariser<N, Grid>),
+    Polarizer(Polarizer<N, Grid>),
     Retarder(Retarder<N, Grid>),
 }
 
@@ -52,7 +52,7 @@ impl What {
             What::Plain { factors, matt: false } => Part::Filter(factors),
             What::Dye(dye) => dye.into(),
             What::Mirror(mirror) => mirror.into(),
-            What::Polariser(polariser) => polariser.into(),
+            What::Polarizer(polarizer) => polarizer.into(),
             What::Retarder(retarder) => retarder.into(),
         }
     }
@@ -166,11 +166,11 @@ extern "C" fn mirror(n: f32, k: f32, cos: f32, axis_turns: f32) -> u32 {
     add(What::Mirror(Mirror::conductor(&Spectrum::flat(n), &Spectrum::flat(k), cos, axis_turns)), CLEAR)
 }
 
-/// A polariser with these transmittances along its axis and across.
+/// A polarizer with these transmittances along its axis and across.
 #[unsafe(no_mangle)]
-extern "C" fn polariser(along: f32, across: f32, axis_turns: f32) -> u32 {
-    let polariser = Polariser::new(&Reflectance::flat(along), &Reflectance::flat(across), axis_turns);
-    add(What::Polariser(polariser), CLEAR)
+extern "C" fn polarizer(along: f32, across: f32, axis_turns: f32) -> u32 {
+    let polarizer = Polarizer::new(&Reflectance::flat(along), &Reflectance::flat(across), axis_turns);
+    add(What::Polarizer(polarizer), CLEAR)
 }
 
 /// A wave plate of this path difference in nm.
@@ -226,7 +226,7 @@ impl Viewing {
     }
 
     fn srgb(&self, scene: &Scene<'_, N, PARTS, Grid>) -> [f32; 3] {
-        let look = self.look(&scene.leaving_polarised(&self.lamp));
+        let look = self.look(&scene.leaving_polarized(&self.lamp));
         [look[8], look[9], look[10]]
     }
 }
@@ -266,7 +266,7 @@ extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u3
     let viewing = Viewing { eye, white, lamp: lit };
     let whole = scene(parts, 0);
     let shown = scene(parts, off);
-    let leaving = shown.leaving_polarised(&lit);
+    let leaving = shown.leaving_polarized(&lit);
     let out = &mut board.out;
     put(out, at::LIT, *lit.values());
     put(out, at::LEAVING, *leaving.values());

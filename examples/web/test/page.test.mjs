@@ -87,7 +87,7 @@ check('a file that is opened shows the numbers of nanospectra measure --json', a
   await page.until("document.querySelector('#numbers [data-key=cct_k]')?.textContent.startsWith('4102.8')");
   const [expected] = host.json('measure', [bundled]);
   await same(expected);
-  // The bars have the colours of the samples: R9 is a strong red, R11 a green, R12 a blue.
+  // The bars have the colors of the samples: R9 is a strong red, R11 a green, R12 a blue.
   const bars = await page.value("[...document.querySelectorAll('#plot-cri rect[fill^=rgb]')].map((bar) => bar.getAttribute('fill'))");
   const largest = (k) => ((rgb) => rgb.indexOf(Math.max(...rgb)))(bars[k - 1].match(/\d+/g).map(Number));
   assert.deepEqual([9, 11, 12].map(largest), [0, 1, 2], `${bars}`);
@@ -285,7 +285,7 @@ check('switching an effect off costs what the bill of the command line says', as
   }
 });
 
-check('more bands cost less colour and more instructions, and the fold costs least', async () => {
+check('more bands cost less color and more instructions, and the fold costs least', async () => {
   await page.open(`${root}#tab=cost`);
   const mean = () => page.value("Number(document.querySelector('#cost dd').textContent)");
   const counted = () =>
@@ -362,7 +362,7 @@ check('plots and data can be saved', async () => {
   for (const label of [
     'Save Spectrum as SVG',
     'Save Chromaticity, CIE 1931 as PNG',
-    'Save TM-30 colour vectors as SVG',
+    'Save TM-30 color vectors as SVG',
   ]) {
     await page.value(`document.querySelector('[aria-label="${label}"]').click()`);
   }

@@ -1,6 +1,6 @@
 // Scenes for the comparison with the command line, as TOML: every lamp, both eyes, every part.
 export const RECIPES = [
-  `title = "a black body through grey glass"
+  `title = "a black body through gray glass"
 [lamp]
 blackbody_k = 2856
 illuminance_lx = 300
@@ -9,16 +9,16 @@ filter.flat = 0.5
 [[part]]
 surface.points = [[400, 0.1], [550, 0.6], [700, 0.3]]`,
 
-  `title = "crossed polarisers, a wave plate between them"
+  `title = "crossed polarizers, a wave plate between them"
 eye = "CIE 1964"
 [lamp]
 points = [[380, 0.2], [450, 1.0], [600, 0.7], [780, 0.9]]
 [[part]]
-polariser = { axis_deg = 0, along = 0.9, across = 0.01 }
+polarizer = { axis_deg = 0, along = 0.9, across = 0.01 }
 [[part]]
 retarder = { path_difference_nm = 560, axis_deg = 45 }
 [[part]]
-polariser = { axis_deg = 90 }`,
+polarizer = { axis_deg = 90 }`,
 
   `title = "gold at an angle, a film in transmission, ink"
 [lamp]

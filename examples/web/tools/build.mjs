@@ -74,17 +74,17 @@ function without(wasm, tables) {
   return module(places.length ? [...rest, custom('places', new Uint8Array(Uint32Array.from(places).buffer))] : rest);
 }
 
-const OPTIMISER = here('node_modules/binaryen/bin/wasm-opt');
+const OPTIMIZER = here('node_modules/binaryen/bin/wasm-opt');
 
 /** What Binaryen makes of a module: a tenth less code; as it is if `npm ci` has not brought it. @param {Uint8Array} wasm */
 function smaller(wasm) {
-  if (!existsSync(OPTIMISER)) return wasm;
+  if (!existsSync(OPTIMIZER)) return wasm;
   const enabled = ['simd', 'bulk-memory', 'sign-ext', 'mutable-globals', 'nontrapping-float-to-int'];
   // (The first kilobyte of memory is the last that the stack would reach.)
   const options = ['-Oz', '--flatten', '--rereloop', '-Oz', '-Oz', '--converge', '--low-memory-unused', ...enabled.map((feature) => `--enable-${feature}`)];
   const [before, after] = [here('dist/before.wasm'), here('dist/after.wasm')];
   writeFileSync(before, wasm);
-  execFileSync(process.execPath, [OPTIMISER, before, ...options, '-o', after], { stdio: 'inherit' });
+  execFileSync(process.execPath, [OPTIMIZER, before, ...options, '-o', after], { stdio: 'inherit' });
   const small = readFileSync(after);
   rmSync(before);
   rmSync(after);
@@ -140,8 +140,8 @@ export async function build() {
   rmSync(here('dist'), { recursive: true, force: true });
   cpSync(here('page'), here('dist/page'), { recursive: true });
   cpSync(here('package'), here('dist/nanospectra'), { recursive: true });
-  for (const licence of ['LICENSE-MIT', 'LICENSE-APACHE'])
-    cpSync(here(`../../${licence}`), here(`dist/nanospectra/${licence}`));
+  for (const license of ['LICENSE-MIT', 'LICENSE-APACHE'])
+    cpSync(here(`../../${license}`), here(`dist/nanospectra/${license}`));
   const sizes = {};
   const save = (name, bytes) => {
     writeFileSync(here(`dist/nanospectra/${name}`), bytes);

@@ -27,7 +27,7 @@ function eye(path) {
   return { rule: RULES.plain, before: nm[0] - 360, behind: 830 - nm.at(-1), columns };
 }
 
-/** Test colour samples every 5 nm of 360..830 nm; those of the last file, which are fewer, held on. */
+/** Test color samples every 5 nm of 360..830 nm; those of the last file, which are fewer, held on. */
 function test(path, last) {
   const { nm, columns } = read(path),
     further = read(last);
@@ -37,7 +37,7 @@ function test(path, last) {
   return { rule: RULES.test, before: 0, behind: 0, columns: [...columns, ...held] };
 }
 
-/** Colour evaluation samples: of the 1 nm table every fifth. */
+/** Color evaluation samples: of the 1 nm table every fifth. */
 function samples(path) {
   const every = read(path).columns.map((column) => column.filter((_, k) => k % 5 === 0));
   return { rule: RULES.sample, before: 0, behind: 0, columns: every };

@@ -1,6 +1,6 @@
 //! What light meets, folded into the eye: from the eye backwards along the path.
 
 mod fluorescent;
-mod polarised;
+mod polarized;
 
-pub use polarised::PolarisedObserver;
+pub use polarized::PolarizedObserver;

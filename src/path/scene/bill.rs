@@ -23,16 +23,16 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     ///
     /// ```
     /// # use nanospectra::Reflectance;
-    /// # use nanospectra::matter::Polariser;
+    /// # use nanospectra::matter::Polarizer;
     /// # use nanospectra::path::{Part, Scene};
-    /// let (sheet, glass) = (Polariser::ideal(0.0), Reflectance::flat(0.9));
+    /// let (sheet, glass) = (Polarizer::ideal(0.0), Reflectance::flat(0.9));
     /// let mut scene: Scene<31, 2> = Scene::new();
     /// scene.push(&sheet)?;
     /// scene.push(Part::Filter(&glass))?;
     /// for line in scene.bill() {
-    ///     println!("{}: {}", line.name, line.price); // polariser: polarisation, 124 multiply-adds, ..
+    ///     println!("{}: {}", line.name, line.price); // polarizer: polarization, 124 multiply-adds, ..
     /// }
-    /// // Four numbers for each bin from the polariser on.
+    /// // Four numbers for each bin from the polarizer on.
     /// assert_eq!(scene.bill().last().map(|line| line.price.multiply_adds), Some(4 * 31));
     /// # Ok::<(), nanospectra::path::Full>(())
     /// ```
@@ -40,9 +40,9 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         let mut stokes = false;
         self.steps().enumerate().map(move |(part, step)| {
             let price = step.price();
-            let turns = price.effects.contains(Effects::POLARISATION);
-            // A part that polarises or passes polarisation on has four numbers to work on behind one that polarises.
-            let passes = matches!(step.part, Part::Filter(_)) || step.part.polarises();
+            let turns = price.effects.contains(Effects::POLARIZATION);
+            // A part that polarizes or passes polarization on has four numbers to work on behind one that polarizes.
+            let passes = matches!(step.part, Part::Filter(_)) || step.part.polarizes();
             let more = match stokes && passes {
                 true if turns => Mueller::<N, G>::PRICE.multiply_adds - Mueller::<N, G>::NATURAL,
                 true => 3 * N,

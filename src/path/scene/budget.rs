@@ -8,7 +8,7 @@ use crate::observer::Observer;
 use crate::path::scene::Scene;
 use crate::spectrum::{Power, Spectrum};
 
-/// A scene within a colour-difference budget: which effects are left out, and what that costs in all.
+/// A scene within a color-difference budget: which effects are left out, and what that costs in all.
 #[derive(Clone, Copy, Debug)]
 pub struct WithinBudget<S> {
     /// The scene; it says which parts are [`left_out`](Scene::left_out).
@@ -40,7 +40,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         lamp: &Spectrum<Power, N, G>,
     ) -> f32 {
         let white = Xyz::from(eye.sees(lamp));
-        let lab = |scene: &Self| Xyz::from(eye.sees(&scene.leaving_polarised(lamp))).lab_with::<M>(white);
+        let lab = |scene: &Self| Xyz::from(eye.sees(&scene.leaving_polarized(lamp))).lab_with::<M>(white);
         match (lab(self), lab(other)) {
             (Some(this), Some(that)) => ciede2000_with::<M>(this, that, Parametric::default()),
             _ => f32::NAN,
@@ -64,8 +64,8 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// use nanospectra::{Curve, Light, Observer, Power, Reflectance};
     ///
     /// static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Step);
-    /// let blue = Reflectance::at_centres(|nm| if nm < 480.0 { 0.8 } else { 0.0 });
-    /// let green = Light::at_centres(|nm| if nm > 500.0 && nm < 560.0 { 1.0 } else { 0.0 });
+    /// let blue = Reflectance::at_centers(|nm| if nm < 480.0 { 0.8 } else { 0.0 });
+    /// let green = Light::at_centers(|nm| if nm > 500.0 && nm < 560.0 { 1.0 } else { 0.0 });
     /// let vest = Dye::new(&Reflectance::flat(0.1), &blue, &green, 0.9)?;
     /// let plate = Retarder::flat(0.25, 0.125); // alone: nothing tells it
     /// let mut scene: Scene<16, 2> = Scene::new();

@@ -2,48 +2,48 @@
 
 use crate::matter::Dye;
 use crate::observer::Observer;
-use crate::path::PolarisedObserver;
+use crate::path::PolarizedObserver;
 use crate::path::scene::{Bispectral, Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// A part of a scene does something to polarised light that plain light cannot tell.
+/// A part of a scene does something to polarized light that plain light cannot tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NeedsPolarisation {
+pub struct NeedsPolarization {
     /// The part, counted from 0.
     pub part: usize,
 }
 
-impl core::fmt::Display for NeedsPolarisation {
+impl core::fmt::Display for NeedsPolarization {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
-            "part {} polarises light: follow it with fold_polarised or leaving_polarised, or leave it out",
+            "part {} polarizes light: follow it with fold_polarized or leaving_polarized, or leave it out",
             self.part
         )
     }
 }
 
-impl core::error::Error for NeedsPolarisation {}
+impl core::error::Error for NeedsPolarization {}
 
 /// The eye on its way back: asked for Stokes vectors only while parts need them.
 enum Eye<const C: usize, const N: usize, G> {
     Plain(Observer<C, N, Power, G>),
-    Stokes(PolarisedObserver<C, N, Power, G>),
+    Stokes(PolarizedObserver<C, N, Power, G>),
 }
 
 impl<const C: usize, const N: usize, G> Eye<C, N, G> {
-    /// Its weights for light that is unpolarised.
-    fn unpolarised(self) -> Observer<C, N, Power, G> {
+    /// Its weights for light that is unpolarized.
+    fn unpolarized(self) -> Observer<C, N, Power, G> {
         match self {
             Eye::Plain(eye) => eye,
-            Eye::Stokes(eye) => eye.unpolarised_light(),
+            Eye::Stokes(eye) => eye.unpolarized_light(),
         }
     }
 
-    fn polarised(self) -> PolarisedObserver<C, N, Power, G> {
+    fn polarized(self) -> PolarizedObserver<C, N, Power, G> {
         match self {
-            Eye::Plain(eye) => eye.polarised(),
+            Eye::Plain(eye) => eye.polarized(),
             Eye::Stokes(eye) => eye,
         }
     }
@@ -68,43 +68,43 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// [`leaving`](Self::leaving) has the eye see.
     ///
     /// # Errors
-    /// [`NeedsPolarisation`]: a mirror, a polariser or a retarder is in the path;
-    /// [`fold_polarised`](Self::fold_polarised) carries what they do.
+    /// [`NeedsPolarization`]: a mirror, a polarizer or a retarder is in the path;
+    /// [`fold_polarized`](Self::fold_polarized) carries what they do.
     pub fn fold<const C: usize>(
         &self,
         eye: &Observer<C, N, Power, G>,
-    ) -> Result<Observer<C, N, Power, G>, NeedsPolarisation> {
-        self.unpolarised()?;
-        Ok(self.fold_polarised(eye))
+    ) -> Result<Observer<C, N, Power, G>, NeedsPolarization> {
+        self.unpolarized()?;
+        Ok(self.fold_polarized(eye))
     }
 
     /// As [`fold`](Self::fold), with weights for Stokes vectors where parts need them. The light of the lamp is
-    /// unpolarised.
+    /// unpolarized.
     #[must_use]
-    pub fn fold_polarised<const C: usize>(&self, eye: &Observer<C, N, Power, G>) -> Observer<C, N, Power, G> {
+    pub fn fold_polarized<const C: usize>(&self, eye: &Observer<C, N, Power, G>) -> Observer<C, N, Power, G> {
         let mut eye = Eye::Plain(*eye);
         for step in self.steps().rev() {
             eye = match &step.part {
                 Part::Filter(factors) => eye.through(factors),
-                Part::Surface(factors) => Eye::Plain(eye.unpolarised().looking_at(factors)),
+                Part::Surface(factors) => Eye::Plain(eye.unpolarized().looking_at(factors)),
                 part @ (Part::Dye(_) | Part::Donaldson(_)) if step.left_out => {
-                    Eye::Plain(eye.unpolarised().looking_at(&part.without_effect()))
+                    Eye::Plain(eye.unpolarized().looking_at(&part.without_effect()))
                 }
                 part if step.left_out => eye.through(&part.without_effect()),
-                Part::Dye(dye) => Eye::Plain(at_dye(&eye.unpolarised(), dye)),
-                Part::Donaldson(matter) => Eye::Plain(at_donaldson(&eye.unpolarised(), matter)),
-                Part::Mirror(mirror) => Eye::Stokes(eye.polarised().looking_at_mirror(mirror)),
-                Part::Polariser(polariser) => Eye::Stokes(eye.polarised().through_polariser(polariser)),
-                Part::Retarder(retarder) => Eye::Stokes(eye.polarised().through_retarder(retarder)),
+                Part::Dye(dye) => Eye::Plain(at_dye(&eye.unpolarized(), dye)),
+                Part::Donaldson(matter) => Eye::Plain(at_donaldson(&eye.unpolarized(), matter)),
+                Part::Mirror(mirror) => Eye::Stokes(eye.polarized().looking_at_mirror(mirror)),
+                Part::Polarizer(polarizer) => Eye::Stokes(eye.polarized().through_polarizer(polarizer)),
+                Part::Retarder(retarder) => Eye::Stokes(eye.polarized().through_retarder(retarder)),
             };
         }
-        eye.unpolarised()
+        eye.unpolarized()
     }
 
     /// Whether plain light can tell all that happens.
-    pub(super) fn unpolarised(&self) -> Result<(), NeedsPolarisation> {
-        let polarises = self.steps().position(|step| !step.left_out && step.part.polarises());
-        polarises.map_or(Ok(()), |part| Err(NeedsPolarisation { part }))
+    pub(super) fn unpolarized(&self) -> Result<(), NeedsPolarization> {
+        let polarizes = self.steps().position(|step| !step.left_out && step.part.polarizes());
+        polarizes.map_or(Ok(()), |part| Err(NeedsPolarization { part }))
     }
 }
 

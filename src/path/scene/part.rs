@@ -1,7 +1,7 @@
 //! What a scene is made of.
 
 use crate::grid::Bins;
-use crate::matter::{Donaldson, Dye, Mirror, Mueller, Polariser, Retarder, applied};
+use crate::matter::{Donaldson, Dye, Mirror, Mueller, Polarizer, Retarder, applied};
 use crate::path::{Effects, Price, Priced, price_of};
 use crate::spectrum::{Factor, Spectrum};
 use core::marker::PhantomData;
@@ -9,23 +9,23 @@ use core::marker::PhantomData;
 /// What light can meet in a [`Scene`](super::Scene), by reference.
 ///
 /// All but the first two come [from a reference](IntoPart), so `scene.push(&vest)` is enough. A spectrum of factors has
-/// to say which it is: light behind a filter stays polarised, light off a matt surface does not.
+/// to say which it is: light behind a filter stays polarized, light off a matt surface does not.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Part<'a, const N: usize, G = Bins<380, 730>> {
-    /// Coloured glass, a dyed liquid: dims all polarisations alike.
+    /// Colored glass, a dyed liquid: dims all polarizations alike.
     Filter(&'a Spectrum<Factor, N, G>),
-    /// A matt surface: what it scatters back is unpolarised.
+    /// A matt surface: what it scatters back is unpolarized.
     Surface(&'a Spectrum<Factor, N, G>),
-    /// A surface or a filter that glows in one colour. What leaves it counts as unpolarised, also behind clear matter.
+    /// A surface or a filter that glows in one color. What leaves it counts as unpolarized, also behind clear matter.
     Dye(&'a Dye<N, G>),
-    /// A surface or a filter that fluoresces in any way. What leaves it counts as unpolarised, as of a dye.
+    /// A surface or a filter that fluoresces in any way. What leaves it counts as unpolarized, as of a dye.
     Donaldson(Bispectral<'a, N, G>),
     /// A smooth surface at one angle of incidence.
     Mirror(&'a Mirror<N, G>),
-    /// A sheet that lets one polarisation through.
-    Polariser(&'a Polariser<N, G>),
-    /// A plate that delays one polarisation.
+    /// A sheet that lets one polarization through.
+    Polarizer(&'a Polarizer<N, G>),
+    /// A plate that delays one polarization.
     Retarder(&'a Retarder<N, G>),
 }
 
@@ -74,7 +74,7 @@ impl<const N: usize, G> Part<'_, N, G> {
             Part::Dye(_) => "dye",
             Part::Donaldson(_) => "donaldson",
             Part::Mirror(_) => "mirror",
-            Part::Polariser(_) => "polariser",
+            Part::Polarizer(_) => "polarizer",
             Part::Retarder(_) => "retarder",
         }
     }
@@ -90,29 +90,29 @@ impl<const N: usize, G> Part<'_, N, G> {
                 multiply_adds: matter.columns.len(),
                 bytes: 4 * matter.columns.len(),
             },
-            Part::Mirror(_) | Part::Polariser(_) | Part::Retarder(_) => {
+            Part::Mirror(_) | Part::Polarizer(_) | Part::Retarder(_) => {
                 Price { multiply_adds: Mueller::<N, G>::NATURAL, ..Mueller::<N, G>::PRICE }
             }
         }
     }
 
     /// What remains of it without its effect: the reflectance of a dye without the glow, the diagonal of a matrix,
-    /// the share of unpolarised light that a mirror, a polariser or a retarder passes on.
+    /// the share of unpolarized light that a mirror, a polarizer or a retarder passes on.
     #[must_use]
     pub fn without_effect(&self) -> Spectrum<Factor, N, G> {
         match self {
             Part::Filter(factors) | Part::Surface(factors) => **factors,
             Part::Dye(dye) => dye.reflectance(),
             Part::Donaldson(matter) => matter.diagonal(),
-            Part::Mirror(mirror) => mirror.mueller().ignoring_polarisation(),
-            Part::Polariser(polariser) => polariser.mueller().ignoring_polarisation(),
-            Part::Retarder(retarder) => retarder.mueller().ignoring_polarisation(),
+            Part::Mirror(mirror) => mirror.mueller().ignoring_polarization(),
+            Part::Polarizer(polarizer) => polarizer.mueller().ignoring_polarization(),
+            Part::Retarder(retarder) => retarder.mueller().ignoring_polarization(),
         }
     }
 
     /// Whether plain light cannot tell what it does.
-    pub(super) const fn polarises(&self) -> bool {
-        matches!(self, Part::Mirror(_) | Part::Polariser(_) | Part::Retarder(_))
+    pub(super) const fn polarizes(&self) -> bool {
+        matches!(self, Part::Mirror(_) | Part::Polarizer(_) | Part::Retarder(_))
     }
 }
 
@@ -132,7 +132,7 @@ impl<'a, const N: usize, const P: usize, G> From<&'a Donaldson<N, P, G>> for Par
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what it is in a scene of {N} bins of `{G}`",
     label = "no part of a scene",
-    note = "write `Part::Filter(&glass)` or `Part::Surface(&paper)`; `&Dye`, `&Donaldson`, `&Mirror`, `&Polariser` and \
+    note = "write `Part::Filter(&glass)` or `Part::Surface(&paper)`; `&Dye`, `&Donaldson`, `&Mirror`, `&Polarizer` and \
             `&Retarder` are parts by themselves; all lie on one grid"
 )]
 pub trait IntoPart<'a, const N: usize, G> {
@@ -168,4 +168,4 @@ macro_rules! from_reference {
     };
 }
 
-from_reference! { Dye Mirror Polariser Retarder }
+from_reference! { Dye Mirror Polarizer Retarder }

@@ -22,11 +22,11 @@ use crate::path::{Effects, Price};
 /// static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Step);
 ///
 /// let window = Reflectance::<16>::flat(0.8);
-/// // A vest: grey by itself, it absorbs blue and emits green.
-/// let grey = Reflectance::flat(0.1);
-/// let absorbs = Reflectance::at_centres(|nm| if nm < 480.0 { 0.8 } else { 0.0 });
-/// let emits = Light::at_centres(|nm| if nm > 500.0 && nm < 560.0 { 1.0 } else { 0.0 });
-/// let vest = Dye::new(&grey, &absorbs, &emits, 0.9)?;
+/// // A vest: gray by itself, it absorbs blue and emits green.
+/// let gray = Reflectance::flat(0.1);
+/// let absorbs = Reflectance::at_centers(|nm| if nm < 480.0 { 0.8 } else { 0.0 });
+/// let emits = Light::at_centers(|nm| if nm > 500.0 && nm < 560.0 { 1.0 } else { 0.0 });
+/// let vest = Dye::new(&gray, &absorbs, &emits, 0.9)?;
 /// let lamp = Light::flat(1.0);
 ///
 /// let mut scene: Scene<16, 4> = Scene::new();
@@ -96,7 +96,7 @@ impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
     }
 
     /// This scene with the effect of part `k` (counted from 0) left out: a dye does not glow, a mirror dims all
-    /// polarisations alike. Parts without an effect, and numbers beyond the last part, change nothing.
+    /// polarizations alike. Parts without an effect, and numbers beyond the last part, change nothing.
     #[must_use]
     pub fn leaving_out(mut self, k: usize) -> Self {
         if let Some(Some(step)) = self.steps.get_mut(k) {

@@ -2,10 +2,10 @@
 
 use crate::matter::Mueller;
 use crate::path::scene::parts::Step;
-use crate::path::scene::{NeedsPolarisation, Part, Scene};
+use crate::path::scene::{NeedsPolarization, Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// Light on its way: as Stokes vectors only from a part that polarises to the next that scatters.
+/// Light on its way: as Stokes vectors only from a part that polarizes to the next that scatters.
 enum Beam<const N: usize> {
     Plain([f32; N]),
     Stokes([[f32; 4]; N]),
@@ -51,12 +51,12 @@ impl<const N: usize> Beam<N> {
             }
             Part::Donaldson(matter) => Beam::Plain(matter.applied(&self.intensity())),
             Part::Mirror(mirror) => self.turned(mirror.mueller()),
-            Part::Polariser(polariser) => self.turned(polariser.mueller()),
+            Part::Polarizer(polarizer) => self.turned(polarizer.mueller()),
             Part::Retarder(retarder) => self.turned(retarder.mueller()),
         }
     }
 
-    /// Behind what polarises.
+    /// Behind what polarizes.
     fn turned<G>(self, element: &Mueller<N, G>) -> Self {
         let mut turned = [[0.0; 4]; N];
         match self {
@@ -83,19 +83,19 @@ fn times<const N: usize, G>(mut light: [f32; N], factors: &Spectrum<Factor, N, G
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// What reaches the eye of the light of `lamp`, which is unpolarised.
+    /// What reaches the eye of the light of `lamp`, which is unpolarized.
     ///
     /// # Errors
-    /// [`NeedsPolarisation`]: a mirror, a polariser or a retarder is in the path;
-    /// [`leaving_polarised`](Self::leaving_polarised) follows what they do.
-    pub fn leaving(&self, lamp: &Spectrum<Power, N, G>) -> Result<Spectrum<Power, N, G>, NeedsPolarisation> {
-        self.unpolarised()?;
-        Ok(self.leaving_polarised(lamp))
+    /// [`NeedsPolarization`]: a mirror, a polarizer or a retarder is in the path;
+    /// [`leaving_polarized`](Self::leaving_polarized) follows what they do.
+    pub fn leaving(&self, lamp: &Spectrum<Power, N, G>) -> Result<Spectrum<Power, N, G>, NeedsPolarization> {
+        self.unpolarized()?;
+        Ok(self.leaving_polarized(lamp))
     }
 
     /// What reaches the eye, as [`leaving`](Self::leaving), with Stokes vectors where parts need them.
     #[must_use]
-    pub fn leaving_polarised(&self, lamp: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
+    pub fn leaving_polarized(&self, lamp: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
         let beam = self.steps().fold(Beam::Plain(lamp.0), Beam::after);
         Spectrum::unchecked(beam.intensity())
     }

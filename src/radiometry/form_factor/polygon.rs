@@ -40,7 +40,7 @@ pub fn to_polygon(point_m: [f32; 3], normal: [f32; 3], vertices_m: &[[f32; 3]]) 
     to_polygon_with::<Portable>(point_m, normal, vertices_m)
 }
 
-/// [`to_polygon`] on another maths backend.
+/// [`to_polygon`] on another math backend.
 #[must_use]
 pub fn to_polygon_with<M: Math>(point_m: [f32; 3], normal: [f32; 3], vertices_m: &[[f32; 3]]) -> f32 {
     let Some((first, others)) = vertices_m.split_first() else { return 0.0 };

@@ -15,7 +15,7 @@ use core::f32::consts::FRAC_1_PI;
 /// 4e-7, relative (swept for sides of 0.02 to 1000 times the distance).
 ///
 /// # Reference
-/// Howell's catalogue, C-11; where a side is shorter than the distance, its integral along that side.
+/// Howell's catalog, C-11; where a side is shorter than the distance, its integral along that side.
 ///
 /// ```
 /// use nanospectra::radiometry::form_factor::parallel_rectangles;
@@ -28,7 +28,7 @@ pub fn parallel_rectangles(width_m: f32, height_m: f32, distance_m: f32) -> f32 
     parallel_rectangles_with::<Portable>(width_m, height_m, distance_m)
 }
 
-/// [`parallel_rectangles`] on another maths backend.
+/// [`parallel_rectangles`] on another math backend.
 #[must_use]
 pub fn parallel_rectangles_with<M: Math>(width_m: f32, height_m: f32, distance_m: f32) -> f32 {
     // In distances; beyond 1e9 of them a side is as good as infinite.
@@ -62,7 +62,7 @@ pub fn parallel_rectangles_with<M: Math>(width_m: f32, height_m: f32, distance_m
 /// 4e-7, relative (swept for sides of 0.001 to 1000 times the edge).
 ///
 /// # Reference
-/// Howell's catalogue, C-14, with the differences of arc tangents and of logarithms taken before rounding.
+/// Howell's catalog, C-14, with the differences of arc tangents and of logarithms taken before rounding.
 ///
 /// ```
 /// use nanospectra::radiometry::form_factor::perpendicular_rectangles;
@@ -84,7 +84,7 @@ const FAR: f32 = 1e7;
 /// nor do the two ends of an edge so many times as long as both are wide.
 const ENDLESS: f32 = 1e9;
 
-/// [`perpendicular_rectangles`] on another maths backend.
+/// [`perpendicular_rectangles`] on another math backend.
 #[must_use]
 pub fn perpendicular_rectangles_with<M: Math>(width_1_m: f32, width_2_m: f32, edge_m: f32) -> f32 {
     let [w, h, l] = [width_1_m, width_2_m, edge_m].map(f32::abs);

@@ -7,11 +7,11 @@ use crate::math::Portable;
 use crate::radiometry::relations::{in_front, ratio};
 use core::f32::consts::FRAC_1_PI;
 
-/// From a point to a sphere whose centre is at `distance_m`, in a direction of cosine `cos_theta` from the point's
+/// From a point to a sphere whose center is at `distance_m`, in a direction of cosine `cos_theta` from the point's
 /// normal. What lies below the horizon does not count; from within the sphere the factor is 1.
 ///
 /// # Accuracy
-/// 5e-7, relative, with the centre above the horizon; below it 1.2e-7 of (r/d)^2, the largest there can be.
+/// 5e-7, relative, with the center above the horizon; below it 1.2e-7 of (r/d)^2, the largest there can be.
 ///
 /// ```
 /// use nanospectra::radiometry::form_factor::to_sphere;
@@ -26,7 +26,7 @@ pub fn to_sphere(radius_m: f32, distance_m: f32, cos_theta: f32) -> f32 {
     to_sphere_with::<Portable>(radius_m, distance_m, cos_theta)
 }
 
-/// [`to_sphere`] on another maths backend.
+/// [`to_sphere`] on another math backend.
 #[must_use]
 pub fn to_sphere_with<M: Math>(radius_m: f32, distance_m: f32, cos_theta: f32) -> f32 {
     let k = to_unity([radius_m, distance_m]);
@@ -49,7 +49,7 @@ pub fn to_sphere_with<M: Math>(radius_m: f32, distance_m: f32, cos_theta: f32) -
     let horizon = segment(M::atan2(half_chord, cos), half_chord * cos / across);
     let (sin_outline, cos_outline) = (half_chord / sin, -c * cos / sin);
     let outline = segment(M::atan2(sin_outline, cos_outline), sin_outline * cos_outline / across);
-    // Lambert's boundary integral, sorted into segments of two circles: both count up as long as the centre is up.
+    // Lambert's boundary integral, sorted into segments of two circles: both count up as long as the center is up.
     in_front((horizon + c * (sin * sin) * outline) * FRAC_1_PI)
 }
 

@@ -1,4 +1,4 @@
-//! Correlated colour temperature in integers.
+//! Correlated color temperature in integers.
 //!
 //! A point between the normals of two knots of the locus divides the way between them, d0 : -d1, nearly as it
 //! divides the locus; what is missing is a parabola that depends on the distance. So one division and a dozen
@@ -26,7 +26,7 @@ const COLDEST: u32 = 4_096_000 + 41;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum FixedCct {
-    /// A colour near the locus.
+    /// A color near the locus.
     Near {
         /// Temperature of the nearest black body, to the nearest K, 1000..=1 000 000 (and 5 % more, for rounding).
         cct_k: u32,
@@ -35,7 +35,7 @@ pub enum FixedCct {
         /// Distance from the locus in the CIE 1960 plane in millionths, above it (greenish) positive.
         duv_e6: i32,
     },
-    /// Further than 0.05 from the locus: not a white, it has no colour temperature.
+    /// Further than 0.05 from the locus: not a white, it has no color temperature.
     OffLocus,
     /// Redder than a black body of 1000 K.
     TooCold,

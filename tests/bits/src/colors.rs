@@ -1,4 +1,4 @@
-//! From spectra to colours, and the maths below.
+//! From spectra to colors, and the math below.
 
 use super::hash::{Hash, Random};
 use core::array::from_fn;
@@ -56,7 +56,7 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("upsample", Hash::of(upsampled));
 }
 
-/// RGB to spectrum: what the compiler made, then random colours one by one and eight at a time, a few of them out
+/// RGB to spectrum: what the compiler made, then random colors one by one and eight at a time, a few of them out
 /// of reach.
 fn upsampled(hash: &mut Hash) {
     static VIEWING: Viewing<31> = Viewing::new(&CIE_1931.under(&LAMPS[1]).fold(Curve::Step));
@@ -149,7 +149,7 @@ fn samples(hash: &mut Hash) {
     }
 }
 
-/// xy, uv and u'v' of random colours, some of them black or imaginary.
+/// xy, uv and u'v' of random colors, some of them black or imaginary.
 fn chromaticity(hash: &mut Hash) {
     let mut random = Random(0x5eed_c0de);
     for _ in 0..256 {
@@ -189,7 +189,7 @@ fn dominant(hash: &mut Hash) {
 /// The white of D65.
 pub const WHITE: Xy = Xy { x: 0.3127, y: 0.3290 };
 
-/// A lattice of colours that reaches below black and above white, and crosses the knee of the cube root.
+/// A lattice of colors that reaches below black and above white, and crosses the knee of the cube root.
 fn lattice() -> impl Iterator<Item = Xyz> {
     let step = |n: u32| 0.3 * (n * n * n) as f32 - 0.2;
     (0..512).map(move |n| Xyz { x: step(n / 64), y: step(n / 8 % 8), z: step(n % 8) })
@@ -223,7 +223,7 @@ fn spaces(hash: &mut Hash) {
     }
 }
 
-/// From each colour of the lattice to the one 37 further on.
+/// From each color of the lattice to the one 37 further on.
 fn differences(hash: &mut Hash) {
     for (one, other) in lattice_lab().zip(lattice_lab().skip(37)) {
         hash.all(&[ciede2000(one, other), cmc(one, other, 2.0, 1.0)]);

@@ -2,7 +2,7 @@
 
 use super::hash::{Hash, Random};
 use nanospectra::color::{Rgb, Srgb};
-use nanospectra::matter::{Donaldson, Dye, Mirror, Phosphor, Polariser, Retarder};
+use nanospectra::matter::{Donaldson, Dye, Mirror, Phosphor, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::path::RgbBands;
 use nanospectra::sensor::{Bend, DeadTime};
@@ -13,7 +13,7 @@ static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("fluorescence", Hash::of(fluorescence));
-    report("polarisation", Hash::of(polarisation));
+    report("polarization", Hash::of(polarization));
     report("rgb-paths", Hash::of(rgb));
     report("linearity", Hash::of(linearity));
 }
@@ -47,24 +47,24 @@ fn fluorescence(hash: &mut Hash) {
     }
 }
 
-/// Mirrors on both sides of every angle that matters, polarisers, plates.
-fn polarisation(hash: &mut Hash) {
+/// Mirrors on both sides of every angle that matters, polarizers, plates.
+fn polarization(hash: &mut Hash) {
     let mut random = Random(0x5eed_9010);
     for _ in 0..32 {
         let light = Light::from_bins(random.bins());
         let eta = random.bins().map(|unit: f32| 0.5 + 2.0 * unit);
         let lake = Mirror::dielectric(&eta, random.unit(), random.unit());
         let [along, across] = [(); 2].map(|()| Reflectance::from_bins(random.bins()));
-        let sheet = Polariser::new(&along, &across, random.unit());
+        let sheet = Polarizer::new(&along, &across, random.unit());
         let plate = Retarder::of_path_difference(900.0 * random.unit(), random.unit());
-        let path = light.polarised().onto(&lake).through(&plate).through(&along).through(&sheet);
+        let path = light.polarized().onto(&lake).through(&plate).through(&along).through(&sheet);
         for k in 0..16 {
             hash.all(&path.stokes_at(k));
         }
-        hash.all(&EYE.sees(path.ignoring_polarisation()));
-        let behind = EYE.polarised().through_polariser(&sheet).through(&along).through_retarder(&plate);
-        hash.all(&behind.looking_at_mirror(&lake).unpolarised_light().sees(&light));
-        hash.all(lake.ignoring_polarisation().values());
+        hash.all(&EYE.sees(path.ignoring_polarization()));
+        let behind = EYE.polarized().through_polarizer(&sheet).through(&along).through_retarder(&plate);
+        hash.all(&behind.looking_at_mirror(&lake).unpolarized_light().sees(&light));
+        hash.all(lake.ignoring_polarization().values());
     }
 }
 

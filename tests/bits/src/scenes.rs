@@ -1,7 +1,7 @@
 //! Paths chosen at run time: walked, folded, and within a budget.
 
 use super::hash::{Hash, Random};
-use nanospectra::matter::{Donaldson, Dye, Mirror, Polariser, Retarder};
+use nanospectra::matter::{Donaldson, Dye, Mirror, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::path::{Part, Scene};
 use nanospectra::{Light, Power, Reflectance};
@@ -26,7 +26,7 @@ fn scenes(hash: &mut Hash) {
         };
         let matrix: Donaldson<16, 136> = Donaldson::of_dye(&dye);
         let lake = Mirror::dielectric(&[1.0 + random.unit(); 16], random.unit(), random.unit());
-        let (sheet, plate) = (Polariser::ideal(random.unit()), Retarder::flat(random.unit(), random.unit()));
+        let (sheet, plate) = (Polarizer::ideal(random.unit()), Retarder::flat(random.unit(), random.unit()));
         let mut scene: Scene<16, 6> = Scene::new();
         for _ in 0..6 {
             let part = match (7.0 * random.unit()) as u32 {
@@ -40,11 +40,11 @@ fn scenes(hash: &mut Hash) {
             };
             hash.word(u32::from(scene.push(part).is_ok()));
         }
-        hash.all(scene.leaving_polarised(&light).values());
-        scene.fold_polarised(&EYE).weights().iter().for_each(|row| hash.all(row));
+        hash.all(scene.leaving_polarized(&light).values());
+        scene.fold_polarized(&EYE).weights().iter().for_each(|row| hash.all(row));
         let found = scene.within_budget(&EYE, &light, 20.0 * random.unit());
         hash.one(found.delta_e);
         found.scene.left_out().for_each(|part| hash.word(part as u32));
-        hash.all(found.scene.leaving_polarised(&light).values());
+        hash.all(found.scene.leaving_polarized(&light).values());
     }
 }

@@ -1,4 +1,4 @@
-//! From counts to colours: readings, calibrations, and the same in integers.
+//! From counts to colors: readings, calibrations, and the same in integers.
 
 use super::colors::WHITE;
 use super::hash::{Hash, Random};
@@ -20,7 +20,7 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("noise-flicker", Hash::of(noise_flicker));
 }
 
-/// Random counts of three chips, from nearly dark to saturated, through random calibrations to colours.
+/// Random counts of three chips, from nearly dark to saturated, through random calibrations to colors.
 pub fn readings(hash: &mut Hash) {
     let mut random = Random(0x5eed_c417);
     let exposures =
@@ -40,7 +40,7 @@ pub fn readings(hash: &mut Hash) {
     }
 }
 
-/// One reading: its colour, or why it has none.
+/// One reading: its color, or why it has none.
 fn reading<T: Count>(
     hash: &mut Hash,
     exposure: &Exposure,
@@ -151,7 +151,7 @@ fn fits(hash: &mut Hash) {
     }
 }
 
-/// What chance does to colour, what a lamp does in time, and which exposure comes next.
+/// What chance does to color, what a lamp does in time, and which exposure comes next.
 fn noise_flicker(hash: &mut Hash) {
     let mut random = Random(0x5eed_7077);
     let to_xyz = SMOOTH.seen_by(&EYE);

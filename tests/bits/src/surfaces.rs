@@ -21,9 +21,9 @@ fn geometry(hash: &mut Hash) {
     let mut random = Random(0x5eed_9e00);
     for _ in 0..64 {
         let [a, b, c] = random.bins::<3>().map(|unit| 0.01 + 3.0 * unit);
-        hash.all(&[solid_angle::cone(a), solid_angle::sphere(a, a + b), solid_angle::disc_off_axis(a, b, c)]);
+        hash.all(&[solid_angle::cone(a), solid_angle::sphere(a, a + b), solid_angle::disk_off_axis(a, b, c)]);
         hash.one(solid_angle::triangle([0.0; 3], [random.bins(), random.bins(), [a, b, c]]));
-        hash.all(&[solid_angle::rectangle(a, b, c), form_factor::coaxial_discs(a, b, c)]);
+        hash.all(&[solid_angle::rectangle(a, b, c), form_factor::coaxial_disks(a, b, c)]);
         hash.all(&[
             form_factor::parallel_rectangles(a, b, c),
             form_factor::perpendicular_rectangles(a, b, c),

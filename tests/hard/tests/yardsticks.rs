@@ -123,11 +123,11 @@ fn a_white_surface_under_rgb_light_has_the_xyz_of_the_light() {
     let to_xyz = model::rgb::named("sRGB").rgb_to_xyz();
     let lights = [[1.0, 1.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.9, 0.5, 0.2]];
     for light in lights {
-        for grey in [1.0, 0.25] {
-            let found = rgb_product(light.map(|c| c as f32), [grey as f32; 3]);
+        for gray in [1.0, 0.25] {
+            let found = rgb_product(light.map(|c| c as f32), [gray as f32; 3]);
             for (row, found) in to_xyz.iter().zip(found) {
-                let expected: f64 = row.iter().zip(light).map(|(m, c)| 100.0 * m * c * grey).sum();
-                product.value(&format!("{light:?} on {grey}"), found.into(), expected);
+                let expected: f64 = row.iter().zip(light).map(|(m, c)| 100.0 * m * c * gray).sum();
+                product.value(&format!("{light:?} on {gray}"), found.into(), expected);
             }
         }
     }

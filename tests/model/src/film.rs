@@ -76,7 +76,7 @@ pub fn stack(n0: f64, layers: &[(C, f64)], substrate: C, nm: f64, cos: f64) -> [
     })
 }
 
-/// R of one lossless layer for s and p, from the sines: also for films of a thousandth of a nanometre.
+/// R of one lossless layer for s and p, from the sines: also for films of a thousandth of a nanometer.
 pub fn airy([n0, n1, n2]: [f64; 3], d: f64, nm: f64, cos: f64) -> [f64; 2] {
     let across = n0 * n0 * (1.0 - cos) * (1.0 + cos);
     let [g0, g1, g2] = [n0, n1, n2].map(|n| (n * n - across).sqrt());

@@ -40,7 +40,7 @@ pub fn reflectances(index: Complex, cos_i: f64) -> (f64, f64) {
 }
 
 /// Mean of both.
-pub fn unpolarised(index: Complex, cos_i: f64) -> f64 {
+pub fn unpolarized(index: Complex, cos_i: f64) -> f64 {
     let (s, p) = reflectances(index, cos_i);
     0.5 * (s + p)
 }

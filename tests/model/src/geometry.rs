@@ -75,12 +75,12 @@ pub fn sphere(radius: f64, distance: f64) -> f64 {
     cone((radius / distance).asin())
 }
 
-pub fn disc(radius: f64, distance: f64) -> f64 {
+pub fn disk(radius: f64, distance: f64) -> f64 {
     cone(radius.atan2(distance))
 }
 
 /// The boundary integral in so many steps that the nearness of the rim does not count.
-pub fn disc_off_axis(radius: f64, distance: f64, offset: f64) -> f64 {
+pub fn disk_off_axis(radius: f64, distance: f64, offset: f64) -> f64 {
     let near = distance.hypot(offset - radius);
     let far = distance.hypot(offset + radius);
     let steps = (40.0 * far / near) as usize + 200;
@@ -113,14 +113,14 @@ pub fn small_triangle(nodes: &[(f64, f64)], corners: [Point; 3]) -> f64 {
     over_triangle(nodes, corners, |x| dot(x, normal).abs() / dot(x, x).powf(1.5))
 }
 
-pub fn coaxial_discs(r1: f64, r2: f64, distance: f64) -> f64 {
+pub fn coaxial_disks(r1: f64, r2: f64, distance: f64) -> f64 {
     let sum = r1 * r1 + r2 * r2 + distance * distance;
     // 1 - root(1 - x^2) as a squared sine
     let half = (2.0 * r1 * r2 / sum).asin() / 2.0;
     sum / (r1 * r1) * half.sin().powi(2)
 }
 
-pub fn to_disc(radius: f64, distance: f64, offset: f64) -> f64 {
+pub fn to_disk(radius: f64, distance: f64, offset: f64) -> f64 {
     let z = distance * distance + radius * radius + offset * offset;
     0.5 * (1.0 - (z - 2.0 * radius * radius) / (z * z - 4.0 * radius * radius * offset * offset).sqrt())
 }

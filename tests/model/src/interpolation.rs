@@ -65,7 +65,7 @@ impl Samples {
         (360..=830).map(|nm| self.at(f64::from(nm), between, outside)).collect()
     }
 
-    /// Sprague's quintic through the six neighbours, CIE 167:2005.
+    /// Sprague's quintic through the six neighbors, CIE 167:2005.
     fn sprague(&self, index: usize, t: f64) -> f64 {
         let at = |offset: isize| self.extended(index as isize + offset);
         let (a, b, c, d, e, f) = (at(-2), at(-1), at(0), at(1), at(2), at(3));

@@ -161,7 +161,7 @@ fn a_curve_knows_its_exact_mean() {
     let area = 1.5 * 2.5 + 8.5 * 2.0;
     assert!((zero.mean(390.0, 420.0) - area / 30.0).abs() < 1e-14);
     assert!((hold.mean(390.0, 420.0) - (area + 10.0) / 30.0).abs() < 1e-14);
-    // from 401 to 402: 3 to 4 in half a nanometre, then down by 8/17 per nanometre
+    // from 401 to 402: 3 to 4 in half a nanometer, then down by 8/17 per nanometer
     let expected = 0.5 * 3.5 + 0.5 * (4.0 - 0.5 * 0.5 * 8.0 / 17.0);
     let mean = zero.mean(401.0, 402.0);
     // slope of the second piece is -4 / 8.5 = -8 / 17
@@ -175,7 +175,7 @@ fn fine_integration_comes_near_the_exact_integral_of_straight_lines() {
     for id in ["A", "D65", "LED-B3"] {
         let light = source(id);
         let power = light.on_cie_grid(Interpolation::Linear, Outside::Zero);
-        // knots lie on whole nanometres, so each cell holds a product of two straight lines
+        // knots lie on whole nanometers, so each cell holds a product of two straight lines
         let exact = Observer::Cie1931.on_cie_grid().map(|row| -> f64 {
             let cell = |s: &[f64], x: &[f64]| {
                 (2.0 * s[0] * x[0] + s[0] * x[1] + s[1] * x[0] + 2.0 * s[1] * x[1]) / 6.0

@@ -6,7 +6,7 @@ pub mod start;
 
 use model::tables::{Observer, function};
 
-/// The colour-matching functions at 360..=830 nm.
+/// The color-matching functions at 360..=830 nm.
 pub fn functions() -> [Vec<f64>; 3] {
     Observer::Cie1931.on_cie_grid()
 }
@@ -15,7 +15,7 @@ pub fn d65() -> Vec<f64> {
     function("illuminants/D65_1nm.csv", "D65")
 }
 
-/// The eye under D65 on 380, 385, .. 780 nm, scaled to Y = 1 for white: each nanometre counts in the bin it lies
+/// The eye under D65 on 380, 385, .. 780 nm, scaled to Y = 1 for white: each nanometer counts in the bin it lies
 /// in, what is outside in the end bins.
 pub fn eye() -> [Vec<f64>; 3] {
     let light = d65();

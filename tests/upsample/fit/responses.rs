@@ -1,4 +1,4 @@
-//! Narrow responses: of all mixtures of the colour-matching functions that are nowhere negative, the ones with
+//! Narrow responses: of all mixtures of the color-matching functions that are nowhere negative, the ones with
 //! the least spread about 610, 540 and 450 nm.
 //!
 //! Scaled to 1 for a white surface under D65, two numbers of a mixture are free, the spread is linear in them, and
@@ -14,11 +14,11 @@ pub fn fit() -> Matrix3 {
     let allowed: Vec<[f64; 3]> =
         (0..471).map(|k| [0, 1, 2].map(|c| functions[c][k] / white[c])).filter(|row| row[1] > 0.0).collect();
     let corners = corners(&allowed);
-    let mixtures = [610.0, 540.0, 450.0].map(|centre| {
+    let mixtures = [610.0, 540.0, 450.0].map(|center| {
         let spread = [0, 1, 2].map(|c| {
             let terms = functions[c].iter().zip(&light).enumerate();
             terms
-                .map(|(k, (f, s))| f * s / white[c] * ((360.0 + k as f64 - centre) / 100.0).powi(2))
+                .map(|(k, (f, s))| f * s / white[c] * ((360.0 + k as f64 - center) / 100.0).powi(2))
                 .sum::<f64>()
         });
         let of = |t: &[f64; 3]| t[0] * spread[0] + t[1] * spread[1] + t[2] * spread[2];

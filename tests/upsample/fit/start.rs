@@ -5,14 +5,14 @@ use super::{eye, white};
 use model::linear::{self, Matrix3, apply, inverse, product};
 use model::rgb::{RgbSpace, named};
 
-/// A solved colour: what was asked, its curve, and how u moves with q there.
+/// A solved color: what was asked, its curve, and how u moves with q there.
 pub struct Solved {
     u: [f64; 3],
     q: [f64; 3],
     slope: Matrix3,
 }
 
-/// Every colour of the cube that has a curve of its own, brought to scale 1.
+/// Every color of the cube that has a curve of its own, brought to scale 1.
 pub fn solved(responses: Matrix3) -> Vec<Solved> {
     let eye = eye();
     let white = white(&eye);
@@ -44,7 +44,7 @@ pub fn solved(responses: Matrix3) -> Vec<Solved> {
     all
 }
 
-/// Dark colours enlarged to a largest component of 1/2, bright ones turned over and enlarged.
+/// Dark colors enlarged to a largest component of 1/2, bright ones turned over and enlarged.
 fn full_scale(rgb: [f64; 3]) -> [f64; 3] {
     let largest = rgb.into_iter().fold(0.0, f64::max);
     let smallest = rgb.into_iter().fold(1.0, f64::min);

@@ -28,7 +28,7 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
     lane.step("tests of every package, in the release profile", |shell| {
         each(packages, shell, |name| format!("cargo test --release --no-fail-fast -p {name}"))
     });
-    lane.step("the maths backend Fast, over every fifth f32", |shell| {
+    lane.step("the math backend Fast, over every fifth f32", |shell| {
         let shell = shell.again().with("NANOSPECTRA_STRIDE", "5");
         shell.filtered("cargo test --release -p nanospectra --test spectrum every_f32")
     });

@@ -195,7 +195,7 @@ impl Table {
 
     fn check_wavelength(&self, nm: f64) -> Result<(), String> {
         if nm <= 0.0 {
-            return Err(format!("{nm} is not a wavelength; give nanometres above 0"));
+            return Err(format!("{nm} is not a wavelength; give nanometers above 0"));
         }
         let (Some(&before), Some(line)) = (self.wavelengths.last(), self.lines.last()) else {
             return Ok(());

@@ -31,7 +31,7 @@ Conventions:
   mean square difference over 360..830 nm; for lights both are brought to the same Y first, and
   it is a share of FILE's root mean square.";
 
-/// Every number that matters about measured spectra: colour, colour temperature, rendering,
+/// Every number that matters about measured spectra: color, color temperature, rendering,
 /// photometry.
 #[derive(Debug, Default, clap::Args)]
 #[command(after_help = INPUT)]
@@ -40,7 +40,7 @@ pub struct Args {
     #[arg(value_name = "FILES")]
     pub files: Vec<PathBuf>,
 
-    /// Colour-matching functions
+    /// Color-matching functions
     #[arg(long, value_enum, default_value_t)]
     pub observer: Eye,
 

@@ -1,4 +1,4 @@
-//! The numbers of a reading as labelled lines, for the report and for the picture.
+//! The numbers of a reading as labeled lines, for the report and for the picture.
 
 use crate::measure::args::Unit;
 use crate::measure::reading::{Bench, Comparison, Difference, Reading};
@@ -10,7 +10,7 @@ pub struct Fact {
     pub value: String,
 }
 
-/// What is known about the colour, and about the light if it is one.
+/// What is known about the color, and about the light if it is one.
 pub fn facts(bench: &Bench, reading: &Reading) -> Vec<Fact> {
     let mut facts = Facts(Vec::new());
     facts.color(bench, reading);

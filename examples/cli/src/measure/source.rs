@@ -51,7 +51,7 @@ impl Source {
         let power = self.fine(by, Outside::Zero, |value| value * up * up)?;
         if power.values().iter().all(|value| *value == 0.0) {
             return Err(self.wrong(
-                "no power at any whole nanometre of 360..830, nothing visible; give a spectrum that has",
+                "no power at any whole nanometer of 360..830, nothing visible; give a spectrum that has",
             ));
         }
         Ok(Lamp { power, scale })
@@ -129,7 +129,7 @@ impl Source {
         if first <= LAST && last >= FIRST {
             return Ok(());
         }
-        let units = [("micrometres", 1e3), ("ångströms", 0.1), ("metres", 1e9)];
+        let units = [("micrometers", 1e3), ("ångströms", 0.1), ("meters", 1e9)];
         let unit = units.into_iter().find(|(_, nm)| first * nm <= LAST && last * nm >= FIRST);
         let advice = match unit {
             Some((unit, nm)) => format!("if these are {unit}, multiply by {nm}"),
@@ -150,11 +150,11 @@ impl Source {
             remarks.push(format!("the samples cover {first}..{last} nm; what is outside {fate}"));
         }
         let inside = self.samples.iter().filter(|(nm, _)| (FIRST..=LAST).contains(nm)).count();
-        // (Sprague's rule reads six samples for each nanometre, so it reads nearly all of them.)
+        // (Sprague's rule reads six samples for each nanometer, so it reads nearly all of them.)
         let unread = self.between_nodes();
         if unread > 0 && by == Interpolation::Linear {
             remarks.push(format!(
-                "finer than 1 nm: the sum reads whole nanometres, so {unread} of {inside} samples \
+                "finer than 1 nm: the sum reads whole nanometers, so {unread} of {inside} samples \
                  do not count and narrow lines between are missed"
             ));
         }
@@ -173,15 +173,15 @@ impl Source {
         remarks
     }
 
-    /// Samples that no whole nanometre of the grid reads: it reads one it meets, or its two
-    /// neighbours.
+    /// Samples that no whole nanometer of the grid reads: it reads one it meets, or its two
+    /// neighbors.
     fn between_nodes(&self) -> usize {
         let samples = &self.samples;
         let unread = |k: usize| {
             let nm = samples[k].0;
             let before = k.checked_sub(1).map_or(nm, |k| samples[k].0);
             let after = samples.get(k + 1).map_or(nm, |next| next.0);
-            // A whole nanometre above the one before and below the one after reads this sample.
+            // A whole nanometer above the one before and below the one after reads this sample.
             let reader = before.floor() + 1.0;
             nm.fract() != 0.0 && reader >= after && (FIRST..=LAST).contains(&nm)
         };

@@ -10,7 +10,7 @@ use std::path::Path;
 
 const WIDTH: usize = 92;
 
-/// The report; with escapes for colour if `truecolor`.
+/// The report; with escapes for color if `truecolor`.
 pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(22, truecolor);
     report.line(title(bench, reading));

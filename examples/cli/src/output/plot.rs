@@ -10,7 +10,7 @@ pub const BLOCKS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '�
 /// Columns over 380..780 nm, 6.25 nm each.
 type Columns = Light<64, Bins<380, 780>>;
 
-/// The plot's lines, top to bottom, without line ends; in the colours of the wavelengths if
+/// The plot's lines, top to bottom, without line ends; in the colors of the wavelengths if
 /// `truecolor`.
 pub fn lines(curve: &Fine<Power>, truecolor: bool) -> Vec<String> {
     let columns: Columns = curve.resample(Outside::Zero);

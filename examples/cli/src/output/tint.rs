@@ -1,4 +1,4 @@
-//! The colours of wavelengths and chromaticities, for plots.
+//! The colors of wavelengths and chromaticities, for plots.
 
 use nanospectra::color::{Rgb, Srgb, Xy, Xyz};
 use nanospectra::observer::CIE_1931;
@@ -15,12 +15,12 @@ pub fn of_wavelength(nm: f32) -> [u8; 3] {
     xyz.xy().map_or([0; 3], |xy| encoded(brightest(xy).map(|c| c * seen.powf(FADE))))
 }
 
-/// The brightest colour of a chromaticity that a display can show, or nearly.
+/// The brightest color of a chromaticity that a display can show, or nearly.
 pub fn of_chromaticity(xy: Xy) -> [u8; 3] {
     encoded(brightest(xy))
 }
 
-/// No display reaches a spectral colour: what would be negative is left dark.
+/// No display reaches a spectral color: what would be negative is left dark.
 fn brightest(xy: Xy) -> [f32; 3] {
     let linear = xy.xyz(1.0).map_or([0.0; 3], |xyz| Rgb::<Srgb>::from_xyz(xyz).to_array());
     let top = linear.into_iter().fold(f32::MIN_POSITIVE, f32::max);

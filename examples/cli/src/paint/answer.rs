@@ -1,4 +1,4 @@
-//! From a colour to its spectrum, and what that looks like.
+//! From a color to its spectrum, and what that looks like.
 
 use crate::failure::{Failure, short};
 use crate::input::illuminants;
@@ -15,7 +15,7 @@ use nanospectra::{
     Curve, Factor, Fine, Grid, Interpolation, Nodes, Observer, Outside, Power, Reflectance, matter,
 };
 
-/// What all colours of a run are answered with.
+/// What all colors of a run are answered with.
 pub struct Job<'a> {
     args: &'a Args,
     colors: &'a [Color],
@@ -29,13 +29,13 @@ struct Lamp {
     power: Fine<Power>,
 }
 
-/// All there is to say about one colour.
+/// All there is to say about one color.
 pub struct Answer {
     pub sample: Option<String>,
     /// As it was given; linear with `--linear`.
     pub rgb: [f32; 3],
     pub status: &'static str,
-    /// Of the way from grey to a colour that was desaturated, 0..1.
+    /// Of the way from gray to a color that was desaturated, 0..1.
     pub kept: Option<f32>,
     /// (nm, share)
     pub spectrum: Vec<(f32, f32)>,
@@ -43,7 +43,7 @@ pub struct Answer {
     pub curve: Fine<Factor>,
     pub roundtrip: [f32; 3],
     pub delta_e2000: f32,
-    /// The colour that was asked for, as well as sRGB can show it.
+    /// The color that was asked for, as well as sRGB can show it.
     pub asked: [u8; 3],
     /// Under the white first.
     pub looks: Vec<Look>,

@@ -1,4 +1,4 @@
-//! Text to colours. Strict: whatever is not plainly a colour is an error that says where it stands.
+//! Text to colors. Strict: whatever is not plainly a color is an error that says where it stands.
 
 use crate::failure::{Failure, short};
 use crate::input::text;
@@ -19,14 +19,14 @@ pub struct Color {
 /// What to write instead.
 const SO: &str = "write 0.8,0.2,0.1 or #cc331a";
 
-/// Every colour of these words, in order; `-` stands for those of standard input.
+/// Every color of these words, in order; `-` stands for those of standard input.
 pub fn colors(words: &[String]) -> Result<Vec<Color>, Failure> {
     let mut colors = Vec::new();
     for word in words {
         if word == "-" {
             colors.extend(stdin()?);
         } else {
-            let place = format!("colour {}", short(word));
+            let place = format!("color {}", short(word));
             colors.push(color(word, place.clone()).map_err(|what| Failure::of(place, what))?);
         }
     }
@@ -48,7 +48,7 @@ fn stdin() -> Result<Vec<Color>, Failure> {
         }
     }
     if colors.is_empty() {
-        return Err(Failure::at(&file, 1, format_args!("no colour in it; one a line, {SO}")));
+        return Err(Failure::at(&file, 1, format_args!("no color in it; one a line, {SO}")));
     }
     Ok(colors)
 }
@@ -100,8 +100,8 @@ fn numbers(text: &str) -> Result<[f32; 3], String> {
     let [r, g, b] = cells[..] else {
         return Err(match cells.len() {
             1 => format!("'{}' is not three numbers; {SO}", short(text)),
-            0 => format!("an empty colour; {SO}"),
-            count => format!("{count} cells where a colour has 3; {SO}"),
+            0 => format!("an empty color; {SO}"),
+            count => format!("{count} cells where a color has 3; {SO}"),
         });
     };
     Ok([number(r)?, number(g)?, number(b)?])

@@ -1,6 +1,6 @@
 //! RGB to spectrum, looked at again.
 //!
-//! A word or a line becomes a colour ([`input`]), that an [`answer`] on one of the [`grids`], and that a report:
+//! A word or a line becomes a color ([`input`]), that an [`answer`] on one of the [`grids`], and that a report:
 //! [`text`], [`json`] or a [`picture`].
 
 mod answer;
@@ -18,7 +18,7 @@ use crate::output::terminal;
 use answer::Job;
 use std::path::PathBuf;
 
-/// All colours are answered before any is printed: an error leaves no half report behind.
+/// All colors are answered before any is printed: an error leaves no half report behind.
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     let colors = if args.colors.is_empty() { answer::samples() } else { input::colors(&args.colors)? };

@@ -1,4 +1,4 @@
-//! One SVG for each colour: its spectrum in the colours of the wavelengths, and swatches under the lights.
+//! One SVG for each color: its spectrum in the colors of the wavelengths, and swatches under the lights.
 
 use crate::failure::Failure;
 use crate::output::tint;
@@ -86,7 +86,7 @@ fn page(args: &Args, answer: &Answer) -> Document {
     picture::page(height, &format!("{sample}{r} {g} {b}"), &subtitle).add(curve(answer)).add(looks(answer))
 }
 
-/// The curve through the centres of the bands; the axis holds 0..1, and what is beyond if something is.
+/// The curve through the centers of the bands; the axis holds 0..1, and what is beyond if something is.
 fn curve(answer: &Answer) -> Group {
     let filled = &answer.spectrum;
     let low = filled.iter().map(|(_, share)| *share).fold(0.0, f32::min);

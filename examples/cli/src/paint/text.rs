@@ -10,7 +10,7 @@ use std::path::Path;
 /// Where the values stand.
 const INDENT: usize = 14;
 
-/// One colour with its spectrum; with escapes for colour if `truecolor`.
+/// One color with its spectrum; with escapes for color if `truecolor`.
 pub fn report(args: &Args, answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(INDENT, truecolor);
     let numbers = if args.linear { "linear" } else { "encoded" };
@@ -36,16 +36,16 @@ pub fn report(args: &Args, answer: &Answer, picture: Option<&Path>, truecolor: b
     report.into_text()
 }
 
-/// All samples, a line each: a picture made of swatches where there is colour.
+/// All samples, a line each: a picture made of swatches where there is color.
 pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
     let mut chart = Report::new(INDENT, truecolor);
     let lights: Vec<&str> =
         answers.first().map_or(Vec::new(), |a| a.looks.iter().map(|look| look.light.as_str()).collect());
     chart.line(format_args!(
-        "24 samples of CES99, every fourth, by their colours in sRGB under D65 alone: {} on\n\
+        "24 samples of CES99, every fourth, by their colors in sRGB under D65 alone: {} on\n\
          {} makes a spectrum of each, here seen under {} (CIE 1931,\n\
          swatches adapted to D65 by CAT16). What the measured samples would look like there is another\n\
-         matter. For a colour of your own: nanospectra paint 0.8,0.2,0.1; --help says the rest.\n",
+         matter. For a color of your own: nanospectra paint 0.8,0.2,0.1; --help says the rest.\n",
         name_of(args.method),
         args.grid,
         lights.join(", "),
@@ -69,7 +69,7 @@ pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
 /// The status, how it came about, and what it costs.
 pub fn verdict(answer: &Answer) -> String {
     let how = match answer.kept {
-        Some(kept) => format!(" (desaturate: {:.1} % of the way from grey)", 100.0 * kept),
+        Some(kept) => format!(" (desaturate: {:.1} % of the way from gray)", 100.0 * kept),
         None if answer.status == "unreachable" => " (nearest)".into(),
         None => String::new(),
     };

@@ -34,7 +34,7 @@ pub struct Answer {
     pub budget: Option<Budget>,
 }
 
-/// A colour with the lamp as white.
+/// A color with the lamp as white.
 #[derive(Clone, Copy)]
 pub struct Look {
     /// Y = 100 for the bare lamp.
@@ -155,7 +155,7 @@ pub fn answer_on<const N: usize, G: Grid>(
     }
     let viewing = Viewing { white, eye, lamp: lit };
     let scene = viewing.scene(parts.iter().map(Matter::part));
-    let leaving = scene.leaving_polarised(&lit);
+    let leaving = scene.leaving_polarized(&lit);
     let found = budget.map(|delta_e| (delta_e, scene.within_budget(&viewing.eye, &lit, delta_e)));
     // The three rows of the eye.
     let reading = Price { multiply_adds: 3 * N, bytes: 12 * N, ..Price::NONE };
@@ -179,7 +179,7 @@ pub fn answer_on<const N: usize, G: Grid>(
             delta_e,
             cost_delta_e: found.delta_e,
             left_out: found.scene.left_out().collect(),
-            srgb: viewing.look(&found.scene.leaving_polarised(&lit)).srgb,
+            srgb: viewing.look(&found.scene.leaving_polarized(&lit)).srgb,
             multiply_adds: found.scene.price().plus(reading).multiply_adds,
         }),
     })
@@ -205,7 +205,7 @@ fn bill<const N: usize, G: Grid>(
                 effect: part.effect,
                 price: line.price,
                 without_delta_e: scene.difference(&without, &viewing.eye, &viewing.lamp),
-                without_srgb: viewing.look(&without.leaving_polarised(&viewing.lamp)).srgb,
+                without_srgb: viewing.look(&without.leaving_polarized(&viewing.lamp)).srgb,
                 left_out: found.is_some_and(|found| found.left_out().any(|out| out == k)),
             }
         })

@@ -11,20 +11,20 @@ Scenes:
   from the folder that it is in.
 
 What is printed:
-  The colour is that of what leaves the last part: XYZ (Y = 100 for the bare lamp), xy, Lab and the
-  sRGB code with the lamp as white (CAT16 to D65), \"clipped\" if no such display has that colour.
+  The color is that of what leaves the last part: XYZ (Y = 100 for the bare lamp), xy, Lab and the
+  sRGB code with the lamp as white (CAT16 to D65), \"clipped\" if no such display has that color.
   White is a perfect white surface under the bare lamp. With illuminance_lx in [lamp] numbers are
   absolute, over the wavelengths of the grid: illuminance and irradiance in front of the first part,
   exitance behind the last, and luminance and radiance if that is matt (Lambert): a surface or a dye
-  (unless it is transmitted), with or without filters, polarisers and retarders behind it.
+  (unless it is transmitted), with or without filters, polarizers and retarders behind it.
   A sensor's channels are the irradiance weighted by their responsivity, 1 at its peak.
-  A dye scatters: light behind it is unpolarised. A film met at an angle is for unpolarised light, and
-  refused where mirrors, polarisers or retarders would show the difference.
+  A dye scatters: light behind it is unpolarized. A film met at an angle is for unpolarized light, and
+  refused where mirrors, polarizers or retarders would show the difference.
   The bill has a line for each part: the effect, multiply-adds for walking light through it, bytes
-  of its numbers, and by how much the colour would change (CIEDE2000) without it. Without means: a
-  dye does not glow; mirror, polariser and retarder treat light as unpolarised; a film is a plate
+  of its numbers, and by how much the color would change (CIEDE2000) without it. Without means: a
+  dye does not glow; mirror, polarizer and retarder treat light as unpolarized; a film is a plate
   without interference; any other part is gone.
-  --budget leaves out fluorescence and polarisation where the eye would not miss them; the
+  --budget leaves out fluorescence and polarization where the eye would not miss them; the
   difference that is named is that of all that is left out together.
 
 JSON keys:
@@ -39,7 +39,7 @@ JSON keys:
   delta_e2000 (allowed), left_out (numbers of parts, from 0), cost_delta_e2000, hex, multiply_adds;
   null without --budget.";
 
-/// Light through a scene: its colour, its watts and lumens, and what each effect in it costs.
+/// Light through a scene: its color, its watts and lumens, and what each effect in it costs.
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub struct Args {
@@ -47,7 +47,7 @@ pub struct Args {
     #[arg(value_name = "NAME | FILE.toml")]
     pub scene: Option<String>,
 
-    /// Leave out effects as long as the colour changes by no more than this, CIEDE2000
+    /// Leave out effects as long as the color changes by no more than this, CIEDE2000
     #[arg(long, value_name = "DE", allow_negative_numbers = true)]
     pub budget: Option<f32>,
 
@@ -74,7 +74,7 @@ impl Args {
         if let Some(budget) = self.budget
             && !(0.0..=1e6).contains(&budget)
         {
-            let what = format!("{budget} is no colour difference; give 0 or more, 1 is just noticed");
+            let what = format!("{budget} is no color difference; give 0 or more, 1 is just noticed");
             return Err(Failure::of("--budget", what));
         }
         if self.scene.is_none() && (self.budget.is_some() || self.json || self.svg.is_some()) {

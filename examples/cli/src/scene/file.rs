@@ -77,7 +77,7 @@ pub struct Part {
     pub dye: Option<Dye>,
     pub film: Option<Film>,
     pub mirror: Option<Mirror>,
-    pub polariser: Option<Polariser>,
+    pub polarizer: Option<Polarizer>,
     pub retarder: Option<Retarder>,
 }
 
@@ -132,7 +132,7 @@ pub struct Mirror {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Polariser {
+pub struct Polarizer {
     pub axis_deg: f32,
     #[serde(default = "one")]
     pub along: f32,

@@ -31,7 +31,7 @@ pub fn of(recipe: &Recipe) -> Result<Lamp, Failure> {
             }
             (
                 format!("black body of {kelvin} K"),
-                Fine::at_centres(|nm| light::blackbody_relative(nm, kelvin)),
+                Fine::at_centers(|nm| light::blackbody_relative(nm, kelvin)),
             )
         }
         (None, None, Some(path), None) => {

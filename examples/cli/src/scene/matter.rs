@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input::table;
 use crate::scene::file::{self, Factors, Film, Part as Written, Points, Recipe, Sample};
-use nanospectra::matter::{Absorber, CES, Dye, Mirror, Polariser, Retarder, ThinFilm};
+use nanospectra::matter::{Absorber, CES, Dye, Mirror, Polarizer, Retarder, ThinFilm};
 use nanospectra::path::Part;
 use nanospectra::{Grid, Light, Outside, Quantity, Reflectance, Spectrum};
 use toml::Spanned;
@@ -26,14 +26,14 @@ enum What<const N: usize, G> {
     },
     Dye(Dye<N, G>),
     Mirror(Mirror<N, G>),
-    Polariser(Polariser<N, G>),
+    Polarizer(Polarizer<N, G>),
     Retarder(Retarder<N, G>),
 }
 
 impl<const N: usize, G: Grid> Matter<N, G> {
     /// Light that is matt in front of it is matt behind it.
     pub fn is_sheet(&self) -> bool {
-        matches!(self.kind, "filter" | "polariser" | "retarder")
+        matches!(self.kind, "filter" | "polarizer" | "retarder")
     }
 
     /// As a part of a scene.
@@ -43,7 +43,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             What::Plain { factors, .. } => Part::Filter(factors),
             What::Dye(dye) => dye.into(),
             What::Mirror(mirror) => mirror.into(),
-            What::Polariser(polariser) => polariser.into(),
+            What::Polarizer(polarizer) => polarizer.into(),
             What::Retarder(retarder) => retarder.into(),
         }
     }
@@ -61,18 +61,18 @@ impl<const N: usize, G: Grid> Matter<N, G> {
     pub fn of(recipe: &Recipe, at: &Spanned<Written>) -> Result<Self, Failure> {
         let written = at.get_ref();
         let wrong = |what: String| recipe.wrong(at, what);
-        let Written { filter, surface, dye, film, mirror, polariser, retarder, .. } = written;
+        let Written { filter, surface, dye, film, mirror, polarizer, retarder, .. } = written;
         let kinds = [
             filter.is_some(),
             surface.is_some(),
             dye.is_some(),
             film.is_some(),
             mirror.is_some(),
-            polariser.is_some(),
+            polarizer.is_some(),
             retarder.is_some(),
         ];
         let several =
-            "a part is one thing; give one of filter, surface, dye, film, mirror, polariser, retarder";
+            "a part is one thing; give one of filter, surface, dye, film, mirror, polarizer, retarder";
         if kinds.into_iter().filter(|given| *given).count() != 1 {
             return Err(recipe.wrong(at, several));
         }
@@ -102,23 +102,23 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             let axis = axis(mirror.axis_deg).map_err(wrong)?;
             let [n, k] = [mirror.n, mirror.k].map(Spectrum::flat);
             let metal = Mirror::conductor(&n, &k, angle.to_radians().cos(), axis / 360.0);
-            ("mirror", "polarisation", false, What::Mirror(metal))
-        } else if let Some(polariser) = polariser {
-            let [along, across] = [polariser.along, polariser.across];
+            ("mirror", "polarization", false, What::Mirror(metal))
+        } else if let Some(polarizer) = polarizer {
+            let [along, across] = [polarizer.along, polarizer.across];
             if ![along, across].iter().all(|share| (0.0..=1.0).contains(share)) {
                 return Err(wrong("along and across are shares; give 0..1".into()));
             }
             let [along, across] = [along, across].map(Reflectance::flat);
-            let axis = axis(polariser.axis_deg).map_err(wrong)?;
-            let polariser = Polariser::new(&along, &across, axis / 360.0);
-            ("polariser", "polarisation", false, What::Polariser(polariser))
+            let axis = axis(polarizer.axis_deg).map_err(wrong)?;
+            let polarizer = Polarizer::new(&along, &across, axis / 360.0);
+            ("polarizer", "polarization", false, What::Polarizer(polarizer))
         } else if let Some(retarder) = retarder {
             let (nm, axis) = (retarder.path_difference_nm, axis(retarder.axis_deg).map_err(wrong)?);
             if !(0.0..=1e5).contains(&nm) {
                 return Err(wrong(format!("path_difference_nm = {nm} is no plate; give 0..100000")));
             }
             let retarder = Retarder::of_path_difference(nm, axis / 360.0);
-            ("retarder", "polarisation", false, What::Retarder(retarder))
+            ("retarder", "polarization", false, What::Retarder(retarder))
         } else {
             return Err(recipe.wrong(at, several));
         };
@@ -127,7 +127,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
     }
 }
 
-/// Refuses a film that is met at an angle beside something that tells directions of polarisation apart: the film would,
+/// Refuses a film that is met at an angle beside something that tells directions of polarization apart: the film would,
 /// and is a plain factor here. What scatters lies between them or not.
 pub fn check_films<const N: usize, G: Grid>(recipe: &Recipe, parts: &[Matter<N, G>]) -> Result<(), Failure> {
     let written = &recipe.scene.part;
@@ -136,7 +136,7 @@ pub fn check_films<const N: usize, G: Grid>(recipe: &Recipe, parts: &[Matter<N, 
     let both: Vec<_> = written.iter().zip(parts).collect();
     for stretch in both.split(|(_, part)| part.is_matt || part.kind == "dye") {
         let directed = |(at, part): &&(&Spanned<Written>, &Matter<N, G>)| {
-            is_oblique(at) || matches!(part.kind, "mirror" | "polariser" | "retarder")
+            is_oblique(at) || matches!(part.kind, "mirror" | "polarizer" | "retarder")
         };
         let film = stretch.iter().find(|(at, _)| is_oblique(at));
         if let Some((at, _)) = film
@@ -144,7 +144,7 @@ pub fn check_films<const N: usize, G: Grid>(recipe: &Recipe, parts: &[Matter<N, 
         {
             return Err(recipe.wrong(
                 *at,
-                "a film at an angle polarises, which is not followed here beside a mirror, polariser, retarder or \
+                "a film at an angle polarizes, which is not followed here beside a mirror, polarizer, retarder or \
                  another such film; give angle_deg = 0, or put a surface between them",
             ));
         }

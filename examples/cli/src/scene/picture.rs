@@ -63,7 +63,7 @@ fn notes(answer: &Answer) -> Vec<Vec<String>> {
     notes
 }
 
-/// The lamp as a line, what leaves in the colours of the wavelengths.
+/// The lamp as a line, what leaves in the colors of the wavelengths.
 fn spectra(answer: &Answer) -> Group {
     let all = answer.lit.iter().chain(&answer.leaving);
     let high = all.map(|(_, power)| *power).fold(f32::MIN_POSITIVE, f32::max);

@@ -7,14 +7,14 @@ use nanospectra::path::Price;
 use nanospectra::{Fine, Interpolation, Light, Outside, Power};
 use std::path::Path;
 
-/// All of it; with escapes for colour if `truecolor`.
+/// All of it; with escapes for color if `truecolor`.
 pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(16, truecolor);
     let [title, lamp] = [&answer.title, &answer.lamp].map(|name| printable(name));
     report.line(format_args!("{title}   ({lamp}, {}, {})\n", answer.eye, answer.grid));
     report.plot(&curve(&answer.leaving));
     report.row("lamp", report.swatch(answer.lamp_srgb, 8));
-    report.row("colour", report.swatch(answer.look.srgb, 8) + clipped(&answer.look));
+    report.row("color", report.swatch(answer.look.srgb, 8) + clipped(&answer.look));
     let levels = answer.absolute.as_ref().map_or(Vec::new(), levels);
     for (label, value) in coordinates(&answer.look).into_iter().chain(levels) {
         report.row(label, value);
@@ -87,12 +87,12 @@ pub fn channels(sensor: &Sensor, is_absolute: bool) -> Vec<(&'static str, Vec<St
     rows
 }
 
-/// What to say behind the code of a colour that displays do not have.
+/// What to say behind the code of a color that displays do not have.
 pub fn clipped(look: &Look) -> &'static str {
     if look.is_clipped { "  clipped: outside sRGB" } else { "" }
 }
 
-/// What `--budget` came to, without its colour.
+/// What `--budget` came to, without its color.
 pub fn verdict(budget: &Budget) -> String {
     let within = format!("within {} CIEDE2000: ", budget.delta_e);
     let effects = match budget.left_out.len() {

@@ -36,7 +36,7 @@ Conventions:
   Basic counts to light: the smoothest spectrum that explains them, in bins of 10 nm; only where a channel sees.
   'next' is the exposure for the next reading of the same light.";
 
-/// Colour, illuminance, spectrum, uncertainty and flicker from a log of a colour sensor's counts.
+/// Color, illuminance, spectrum, uncertainty and flicker from a log of a color sensor's counts.
 #[derive(Debug, clap::Args)]
 #[command(after_help = INPUT)]
 pub struct Args {

@@ -10,7 +10,7 @@ use nanospectra::sensor::{ALPHA, Calibration, Noise, Reconstruction};
 use nanospectra::{Curve, Observer, Power};
 use std::sync::LazyLock;
 
-/// How alike neighbouring bins of 10 nm are expected to be.
+/// How alike neighboring bins of 10 nm are expected to be.
 const CORRELATION: f32 = 0.95;
 /// A bin is reported if a channel sees it at this share of its peak.
 const SEEN: f32 = 0.01;
@@ -61,7 +61,7 @@ impl Setup {
         let chip = args.sensor;
         if source == Source::Unknown && args.calibration.is_none() && chip != Chip::Opt4048 {
             let what = format!(
-                "nothing is known of the channels of a {} that would give colour; \
+                "nothing is known of the channels of a {} that would give color; \
                  give --calibration with measured patches, or --responsivity",
                 chip.title()
             );
@@ -101,7 +101,7 @@ pub struct Instrument<const C: usize> {
     pub of_spectrum: Option<Calibration<C>>,
     /// Bins that a channel sees.
     pub seen: [bool; BINS],
-    /// How the colours come about, for the report.
+    /// How the colors come about, for the report.
     pub colors: Vec<String>,
 }
 

@@ -83,7 +83,7 @@ fn color(color: &Color) -> Value {
     })
 }
 
-/// The same keys of a reading without a colour.
+/// The same keys of a reading without a color.
 fn nothing() -> Value {
     let keys = "unit XYZ xy lux cct_k duv cct ppfd wavelengths_nm spectrum uncertainty".split(' ');
     Value::Object(keys.map(|key| (key.to_owned(), Value::Null)).collect())

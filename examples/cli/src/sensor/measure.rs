@@ -47,7 +47,7 @@ impl Status {
     }
 }
 
-/// A colour with what chance may have done to it.
+/// A color with what chance may have done to it.
 pub struct Color {
     pub xyz: Xyz,
     pub xyz_uncertainty: Xyz,
@@ -129,7 +129,7 @@ pub fn reading<const C: usize>(
     Ok(reading)
 }
 
-/// The sums; what is meant to be a colour only if it `is_one`.
+/// The sums; what is meant to be a color only if it `is_one`.
 fn color<const C: usize>(
     instrument: &Instrument<C>,
     setup: &Setup,

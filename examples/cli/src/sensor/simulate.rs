@@ -78,7 +78,7 @@ fn header() -> String {
          # noise: --electrons-per-count {electrons_per_count} --read-counts {read_counts}, sums of 12 even numbers, rounded; seed {SEED:#x}\n\
          # PWM: LED-B3, 1500 lx when on, {PWM_HZ} Hz, duty {PWM_DUTY}, read without pause, once each 1.0008 ms: 999.2 Hz\n\
          #   (all channels at once, which the chip's six converters cannot)\n\
-         # licence: CC BY-SA 4.0 (made from CIE data tables)\n\
+         # license: CC BY-SA 4.0 (made from CIE data tables)\n\
          time,label,gain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n"
     )
 }

@@ -98,7 +98,7 @@ fn rendering_and_the_melanopic_ratio_follow_the_goldens() {
 
 /// goldens/01_xyz_sources.csv: D65 by the 10 degree observer; what is defined for 2 degrees stays.
 #[test]
-fn another_observer_changes_the_chromaticity_but_not_the_colour_temperature() {
+fn another_observer_changes_the_chromaticity_but_not_the_color_temperature() {
     let wide = table("illuminants/D65_1nm", "D65", &["--observer", "1964"]);
     let usual = table("illuminants/D65_1nm", "D65", &[]);
     assert_all_near(&wide["XYZ"], &[94.8110600624, 100.0, 107.304669543], 1e-4);
@@ -112,9 +112,9 @@ fn another_observer_changes_the_chromaticity_but_not_the_colour_temperature() {
     }
 }
 
-/// goldens/04_reflectance_colorimetry.csv: test colour sample 1, everything by Sprague.
+/// goldens/04_reflectance_colorimetry.csv: test color sample 1, everything by Sprague.
 #[test]
-fn a_surface_has_the_colours_of_the_goldens() {
+fn a_surface_has_the_colors_of_the_goldens() {
     let expected = [
         (
             "D65",
@@ -161,7 +161,7 @@ fn perfect_white_is_white_under_every_light_and_observer() {
 }
 
 #[test]
-fn black_is_a_colour_of_surfaces() {
+fn black_is_a_color_of_surfaces() {
     let reading = &MEASURE.json_with("400,0\n700,0\n", &["--reflectance", "-"])[0];
     assert_all_near(&reading["lab"], &[0.0, 0.0, 0.0], 0.0);
     assert_eq!(reading["hex"], "#000000");
@@ -258,7 +258,7 @@ fn notes_say_how_the_samples_were_used() {
 }
 
 #[test]
-fn what_is_no_white_has_no_colour_temperature() {
+fn what_is_no_white_has_no_color_temperature() {
     let green = &MEASURE.json_with("nm,laser\n531,0\n532,1\n533,0\n", &["-"])[0];
     for key in ["cct_k", "duv", "cri_ra", "cri_r", "tm30_rf", "tm30_rg"] {
         assert!(green[key].is_null() && has_note(green, key, ""), "{key}");
@@ -285,9 +285,9 @@ fn a_comparison_is_this_minus_the_other() {
         assert_near(&nothing[key], value, 0.0);
     }
     let directory = MEASURE.scratch("compare");
-    let grey = directory.join("grey.csv");
-    fs::write(&grey, "400 0.4\n700 0.4\n").expect("written");
-    let options = ["--reflectance", "--compare", grey.to_str().expect("UTF-8"), "-"];
+    let gray = directory.join("gray.csv");
+    fs::write(&gray, "400 0.4\n700 0.4\n").expect("written");
+    let options = ["--reflectance", "--compare", gray.to_str().expect("UTF-8"), "-"];
     let surfaces = &MEASURE.json_with("400 0.5\n700 0.5\n", &options)[0]["compare"];
     assert_near(&surfaces["y_ratio"], 1.25, 1e-6);
     assert_near(&surfaces["spectral_rms"], 0.1, 1e-6);
@@ -323,7 +323,7 @@ fn a_piped_report_is_plain_text_whatever_the_names_hold() {
 fn wavelengths_that_f32_would_round_are_read_as_they_are() {
     let line = "nm,v\n545.3,0\n545.7,.3\n546.1,1\n546.5,.3\n546.9,0\n";
     let found = &MEASURE.json_with(line, &["-", "--unit", "absolute"])[0];
-    // By the rule in f64: 546 nm reads 0.825 and nothing else is on a whole nanometre.
+    // By the rule in f64: 546 nm reads 0.825 and nothing else is on a whole nanometer.
     for (value, expected) in numbers(&found["XYZ"]).into_iter().zip([210.787_543, 554.513_089, 6.934_837]) {
         assert!((value / expected - 1.0).abs() < 3e-7, "{value} for {expected}");
     }

@@ -33,7 +33,7 @@ const BAD: &[(&str, usize, &str)] = &[
     ("0,1\n505,2\n", 1, "not a wavelength"),
     ("5OO,1\n505,2\n510,3\n", 1, "'5OO'"),
     ("S00,1\n505,2\n510,3\n", 1, "'S00'"),
-    ("0.38,1\n0.78,2\n", 1, "micrometres"),
+    ("0.38,1\n0.78,2\n", 1, "micrometers"),
     ("3800,1\n7800,2\n", 1, "ångströms"),
     ("900,1\n1000,2\n", 1, "nothing visible"),
     ("nm,a,b\n400,1,0\n500,1,0\n", 2, "'b': every value is zero"),

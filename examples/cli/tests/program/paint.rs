@@ -202,7 +202,7 @@ fn a_color_out_of_reach_comes_near_or_is_desaturated() {
     for answer in [&near, &less] {
         assert_follows_the_model(answer);
     }
-    // So far from the grey of its luminance, and hardly further.
+    // So far from the gray of its luminance, and hardly further.
     let (kept, y) = (number(&less["kept"]), rgb::named("Display P3").rgb_to_xyz()[1][1]);
     let mixed = |kept: f64| [y - kept * y, y + kept * (1.0 - y), y - kept * y];
     assert_all_near(&less["roundtrip_rgb"], &mixed(kept), 1e-4);

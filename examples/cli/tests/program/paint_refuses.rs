@@ -7,8 +7,8 @@ const PAINT: Program = Program("paint", module_path!());
 
 /// Bad input: a text, the line to blame, and a word of the message.
 const BAD: &[(&[u8], usize, &str)] = &[
-    (b"", 1, "no colour"),
-    (b"# only\n#\n\n", 1, "no colour"),
+    (b"", 1, "no color"),
+    (b"# only\n#\n\n", 1, "no color"),
     (b"0.1 0.2\n", 1, "2 cells"),
     (b"0.1 0.2 0.3\n\n# x\n0.1 0.2 0.3 0.4\n", 4, "4 cells"),
     (b"0.1,0.2,0.3,\n", 1, "4 cells"),
@@ -45,10 +45,10 @@ fn bad_words_and_options_end_with_one_line() {
     fs::write(&file, "").expect("written");
     let file = file.to_str().expect("UTF-8");
     let cases: &[(&[&str], &str, &str)] = &[
-        (&["0.1,0.2"], "colour 0.1,0.2: ", "2 cells"),
-        (&["#cc331"], "colour #cc331: ", "#cc331a"),
-        (&["--rgb", "nan,0,0"], "colour nan,0,0: ", "finite"),
-        (&["0,0,0", "1,1,1", "x\n\u{1b}[0m"], "colour x\\n", "2 cells"),
+        (&["0.1,0.2"], "color 0.1,0.2: ", "2 cells"),
+        (&["#cc331"], "color #cc331: ", "#cc331a"),
+        (&["--rgb", "nan,0,0"], "color nan,0,0: ", "finite"),
+        (&["0,0,0", "1,1,1", "x\n\u{1b}[0m"], "color x\\n", "2 cells"),
         (&["-", "--rgb", "-"], "-: ", "once"),
         (&["--nonsense"], "paint: ", "--nonsense"),
         (&["--space", "xyz"], "paint: ", "acescg"),

@@ -5,7 +5,7 @@ use model::fine::Curve;
 use model::fold::{EqualBins, Reconstruction, on_cie_nodes, weights};
 use model::interpolation::{Interpolation::Linear, Outside};
 use model::{csv, delta_e, lab, tables};
-use nanospectra::matter::{Mirror, Polariser, Retarder};
+use nanospectra::matter::{Mirror, Polarizer, Retarder};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve as Fold, Light, Nodes, Observer, Power};
 use serde_json::Value;
@@ -45,7 +45,7 @@ fn seen(light: &[f64]) -> [f64; 3] {
     })
 }
 
-/// Holds the colour of an answer to what leaves by the model; its Lab.
+/// Holds the color of an answer to what leaves by the model; its Lab.
 fn assert_looks(answer: &Value, lamp: &[f64], leaving: &[f64]) -> [f64; 3] {
     let (white, xyz) = (seen(lamp), seen(leaving));
     let scale = 100.0 / white[1];
@@ -110,7 +110,7 @@ fn wine_takes_its_absorbance_twice() {
 }
 
 #[test]
-fn films_of_soap_have_the_published_colours() {
+fn films_of_soap_have_the_published_colors() {
     let (mut compared, mut worst) = (0, 0.0f64);
     for row in csv::golden("10_thin_film_colour").rows().filter(|row| row.text("stack") == "soap") {
         let (thickness, angle) = (row.number("d_nm"), row.number("theta_deg"));
@@ -152,10 +152,10 @@ fn sunglasses_take_the_glare_off_a_wet_road() {
 }
 
 #[test]
-fn polarisers_follow_malus_and_crossed_ones_are_black() {
+fn polarizers_follow_malus_and_crossed_ones_are_black() {
     let pair = |deg: f64, between: &str| {
         let sheets = format!(
-            "[lamp]\ncie = \"E\"\n[[part]]\npolariser.axis_deg = 0\n{between}[[part]]\npolariser.axis_deg = {deg}\n"
+            "[lamp]\ncie = \"E\"\n[[part]]\npolarizer.axis_deg = 0\n{between}[[part]]\npolarizer.axis_deg = {deg}\n"
         );
         SCENE.written("pair", &sheets)
     };
@@ -167,12 +167,12 @@ fn polarisers_follow_malus_and_crossed_ones_are_black() {
     assert_eq!((&black["hex"], &black["XYZ"]), (&"#000000".into(), &serde_json::json!([0.0, 0.0, 0.0])));
     assert_eq!(black["xy"], Value::Null);
     // A matt surface between them forgets: half of half.
-    let grey = pair(90.0, "[[part]]\nsurface.flat = 1.0\n");
-    assert_near(&grey["luminous_factor_percent"], 25.0, 1e-5);
+    let gray = pair(90.0, "[[part]]\nsurface.flat = 1.0\n");
+    assert_near(&gray["luminous_factor_percent"], 25.0, 1e-5);
 }
 
 #[test]
-fn a_metal_turns_polarised_light_as_its_phase_says() {
+fn a_metal_turns_polarized_light_as_its_phase_says() {
     // Gold in the green, n = 0.4 + 2.4i, met at 70 degrees: complex Fresnel, by hand.
     let (n, k, sine2, cosine) = (0.4f64, 2.4f64, 70f64.to_radians().sin().powi(2), 70f64.to_radians().cos());
     let (re, im) = (n * n - k * k - sine2, 2.0 * n * k);
@@ -186,8 +186,8 @@ fn a_metal_turns_polarised_light_as_its_phase_says() {
         (a * a + b * b - st * st) / (((a - st).powi(2) + b * b) * ((a + st).powi(2) + b * b)).sqrt();
     let parts = |mirror: &str, deg: f64| {
         format!(
-            "[lamp]\ncie = \"E\"\n[[part]]\npolariser.axis_deg = 45\n[[part]]\nmirror = {mirror}\n\
-             [[part]]\npolariser.axis_deg = {deg}\n"
+            "[lamp]\ncie = \"E\"\n[[part]]\npolarizer.axis_deg = 45\n[[part]]\nmirror = {mirror}\n\
+             [[part]]\npolarizer.axis_deg = {deg}\n"
         )
     };
     for (deg, sign) in [(45.0, 1.0), (-45.0, -1.0)] {
@@ -205,17 +205,17 @@ fn a_metal_turns_polarised_light_as_its_phase_says() {
     // Behind a plate the sign of the phase shows too: as the library has it.
     let plate = "retarder = { path_difference_nm = 137.5, axis_deg = 0 }";
     let sheets = parts("{ n = 0.66, angle_deg = 60 }", -45.0).replacen(
-        "[[part]]\npolariser.axis_deg = -",
-        &format!("[[part]]\n{plate}\n[[part]]\npolariser.axis_deg = -"),
+        "[[part]]\npolarizer.axis_deg = -",
+        &format!("[[part]]\n{plate}\n[[part]]\npolarizer.axis_deg = -"),
         1,
     );
     let answer = SCENE.written("behind a plate", &sheets);
     let eye: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Fold::Spline);
-    let (lamp, [first, last]) = (Light::flat(1.0), [0.125, -0.125].map(Polariser::ideal));
+    let (lamp, [first, last]) = (Light::flat(1.0), [0.125, -0.125].map(Polarizer::ideal));
     let (prism, plate) =
         (Mirror::dielectric(&[0.66; 81], 0.5, 0.0), Retarder::of_path_difference(137.5, 0.0));
-    let path = lamp.polarised().through(&first).onto(&prism).through(&plate).through(&last);
-    let [_, y, _] = eye.sees(path.ignoring_polarisation());
+    let path = lamp.polarized().through(&first).onto(&prism).through(&plate).through(&last);
+    let [_, y, _] = eye.sees(path.ignoring_polarization());
     let [_, white, _] = eye.sees(&lamp);
     let expected = 100.0 * f64::from(y / white);
     assert!(!(15.0..35.0).contains(&expected), "the sign would not show: {expected}");
@@ -296,7 +296,7 @@ fn the_bill_is_that_of_the_library() {
     };
     assert_eq!(bill("wine"), vec![[81, 324]; 3]);
     assert_eq!(bill("vest"), [[243, 972]]);
-    // Unpolarised light before the first part that polarises is a quarter of the work.
+    // Unpolarized light before the first part that polarizes is a quarter of the work.
     assert_eq!(bill("asphalt"), [[324, 1304], [1296, 1304]]);
     let answer = SCENE.one(&["vest"]);
     assert_eq!((price(&answer["walked"]), price(&answer["folded"])), ([486, 2268], [243, 1296]));

@@ -14,12 +14,12 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[[part]]\nfilter.points = [[400, 0.2, 1], [500, 0.2, 'x', true]]\n", 5, "points"),
     ("[[part]]\nfilter.points = [[400, 0.2, 'x'], [500, 0.2]]\n", 5, "invalid type"),
     (
-        "[[part]]\nfilm = { n = 1.5, thickness_nm = 300, angle_deg = 50 }\n[[part]]\npolariser.axis_deg = 0\n",
+        "[[part]]\nfilm = { n = 1.5, thickness_nm = 300, angle_deg = 50 }\n[[part]]\npolarizer.axis_deg = 0\n",
         4,
         "at an angle",
     ),
     (
-        "[[part]]\npolariser.axis_deg = 0\n[[part]]\nfilter.flat = 1\n[[part]]\nfilm = { n = 1.5, thickness_nm = 300, angle_deg = 50 }\n",
+        "[[part]]\npolarizer.axis_deg = 0\n[[part]]\nfilter.flat = 1\n[[part]]\nfilm = { n = 1.5, thickness_nm = 300, angle_deg = 50 }\n",
         8,
         "at an angle",
     ),
@@ -56,8 +56,8 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[[part]]\nfilm = { n = 1.33, thickness_nm = 1, angle_deg = 91 }\n", 4, "angle of incidence"),
     ("[[part]]\nmirror = { n = 1.33 }\n", 5, "angle_deg"),
     ("[[part]]\nmirror = { n = 1.33, k = -1, angle_deg = 0 }\n", 4, "refraction"),
-    ("[[part]]\npolariser = { axis_deg = 0, along = 2 }\n", 4, "along and across"),
-    ("[[part]]\npolariser.axis_deg = inf\n", 4, "no direction"),
+    ("[[part]]\npolarizer = { axis_deg = 0, along = 2 }\n", 4, "along and across"),
+    ("[[part]]\npolarizer.axis_deg = inf\n", 4, "no direction"),
     ("[[part]]\nretarder = { path_difference_nm = -1, axis_deg = 0 }\n", 4, "no plate"),
     (
         "[[part]]\n[part.dye]\nreflectance = [[400, 0.5], [700, 0.5]]\nabsorption = [[400, 0.9], [700, 0]]\n\
@@ -145,8 +145,8 @@ fn what_is_not_there_is_named() {
     SCENE.refuses(&["moon"], "moon: ", "paper, vest");
     SCENE.refuses(&["--print", "moon"], "moon: ", "paper, vest");
     SCENE.refuses(&["not-there.toml"], "not-there.toml: ", "no such file");
-    SCENE.refuses(&["vest", "--budget", "-1"], "--budget: ", "no colour difference");
-    SCENE.refuses(&["vest", "--budget", "nan"], "--budget: ", "no colour difference");
+    SCENE.refuses(&["vest", "--budget", "-1"], "--budget: ", "no color difference");
+    SCENE.refuses(&["vest", "--budget", "nan"], "--budget: ", "no color difference");
     SCENE.refuses(&["vest", "--budget", "much"], "scene: ", "much");
     SCENE.refuses(&["--json"], "scene: ", "--list");
     SCENE.refuses(&["vest", "--list"], "scene: ", "cannot be used");

@@ -1,4 +1,4 @@
-//! What the command scene says and draws: levels, luminances, shares, colours, help.
+//! What the command scene says and draws: levels, luminances, shares, colors, help.
 
 use crate::run::{Program, assert_near, number};
 use serde_json::Value;
@@ -53,7 +53,7 @@ fn matt_is_what_scatters_last_whatever_sheets_are_behind_it() {
     for (sheet, share) in [
         ("", 1.0),
         ("filter.flat = 0.5", 0.5),
-        ("polariser.axis_deg = 20", 0.5),
+        ("polarizer.axis_deg = 20", 0.5),
         ("retarder = { path_difference_nm = 100, axis_deg = 0 }", 1.0),
     ] {
         let sheet = if sheet.is_empty() { String::new() } else { format!("[[part]]\n{sheet}\n") };
@@ -62,15 +62,15 @@ fn matt_is_what_scatters_last_whatever_sheets_are_behind_it() {
         assert_eq!(luminance(&format!("{}{sheet}", dye("transmitted = true"))), Value::Null);
     }
     assert_eq!(luminance(&format!("{paper}[[part]]\nmirror = {{ n = 1.5, angle_deg = 0 }}\n")), Value::Null);
-    assert_eq!(luminance("[[part]]\npolariser.axis_deg = 20\n"), Value::Null);
+    assert_eq!(luminance("[[part]]\npolarizer.axis_deg = 20\n"), Value::Null);
 }
 
 #[test]
-fn a_colour_that_displays_do_not_have_says_so() {
+fn a_color_that_displays_do_not_have_says_so() {
     let green = "[lamp]\ncie = \"E\"\n[[part]]\nfilter.points = [[500, 0], [520, 0.5], [540, 0]]\n";
     for (name, toml, is_clipped) in [
         ("green", green.to_string(), true),
-        ("grey", green.replace("points = [[500, 0], [520, 0.5], [540, 0]]", "flat = 0.5"), false),
+        ("gray", green.replace("points = [[500, 0], [520, 0.5], [540, 0]]", "flat = 0.5"), false),
         ("white", green.replace("points = [[500, 0], [520, 0.5], [540, 0]]", "flat = 1"), false),
     ] {
         assert_eq!(SCENE.written(name, &toml)["hex_is_clipped"], is_clipped, "{name}");
@@ -83,7 +83,7 @@ fn a_colour_that_displays_do_not_have_says_so() {
 #[test]
 fn films_at_an_angle_stand_alone_or_behind_what_scatters() {
     let film = "[[part]]\nfilm = { n = 1.5, thickness_nm = 300, angle_deg = 56.31 }\n";
-    let sheet = "[[part]]\npolariser.axis_deg = 30\n";
+    let sheet = "[[part]]\npolarizer.axis_deg = 30\n";
     let factor = |parts: &str| {
         number(&SCENE.written("film", &format!("[lamp]\ncie = \"E\"\n{parts}"))["luminous_factor_percent"])
     };
@@ -92,7 +92,7 @@ fn films_at_an_angle_stand_alone_or_behind_what_scatters() {
     for parts in [format!("{film}{between}{sheet}"), format!("{sheet}{between}{film}")] {
         assert!((factor(&parts) - 0.5 * alone).abs() < 1e-4, "{parts}");
     }
-    // At right angles it does nothing to polarisation.
+    // At right angles it does nothing to polarization.
     let upright = film.replace("56.31", "0");
     assert!((factor(&format!("{upright}{sheet}")) - 0.5 * factor(&upright)).abs() < 1e-4);
 }

@@ -20,7 +20,7 @@ fn has_note(reading: &Value, word: &str) -> bool {
     reading["notes"].as_array().is_some_and(|notes| notes.iter().any(|note| note.to_string().contains(word)))
 }
 
-fn labelled<'a>(readings: &'a [Value], label: &str) -> &'a Value {
+fn labeled<'a>(readings: &'a [Value], label: &str) -> &'a Value {
     readings.iter().find(|reading| reading["label"] == label).unwrap_or_else(|| panic!("no {label}"))
 }
 
@@ -39,7 +39,7 @@ fn log_of(lights: &[(String, Fine<Power>)]) -> String {
 }
 
 /// How near nominal Gaussians, which the simulated chip has, and the smoothest spectrum bring a lamp: no more can be
-/// had without calibration. Tolerances: xy, share of the colour temperature, Duv, share of Y.
+/// had without calibration. Tolerances: xy, share of the color temperature, Duv, share of Y.
 const NEAR: [(&str, [f64; 4]); 6] = [
     ("A", [0.002, 0.006, 0.001, 0.01]),
     ("D65", [0.002, 0.012, 0.001, 0.01]),
@@ -54,7 +54,7 @@ fn known_lamps_have_nearly_their_colors() {
     let readings = SENSOR.json(&[]);
     for ((label, name, lux), (same, [xy, share, duv, of_y])) in simulate::LAMPS.into_iter().zip(NEAR) {
         assert_eq!(label, same);
-        let reading = labelled(&readings, label);
+        let reading = labeled(&readings, label);
         let truth = xyz(&simulate::lamp(name, lux));
         let (at, uv) = (truth.xy().expect("a color"), truth.uv1960().expect("a color"));
         let (cct_k, true_duv) = uv.cct().near().expect("a white");
@@ -85,15 +85,15 @@ fn known_lamps_have_nearly_their_colors() {
 #[test]
 fn what_is_no_measurement_says_so() {
     let readings = SENSOR.json(&[]);
-    let dark = labelled(&readings, "dark");
+    let dark = labeled(&readings, "dark");
     assert_eq!(dark["status"], "too dark");
     assert!(dark["XYZ"].is_null() && dark["cct_k"].is_null() && dark["next"]["same"] == true);
-    let bright = labelled(&readings, "D65 at a gain too high");
+    let bright = labeled(&readings, "D65 at a gain too high");
     assert_eq!(bright["status"], "saturated");
     assert_eq!(bright["saturated"].as_array().map(Vec::len), Some(8));
     assert_eq!(bright["counts"]["f1"], 18_000);
     assert!(number(&bright["next"]["gain"]) <= 4.0);
-    let green = labelled(&readings, "green LED");
+    let green = labeled(&readings, "green LED");
     assert_eq!([&green["status"], &green["cct"]], ["ok", "off the locus"]);
     assert!(green["cct_k"].is_null() && green["duv"].is_null() && green["uncertainty"]["cct_k"].is_null());
     // One brighter channel is one name.
@@ -137,15 +137,15 @@ fn measured_responsivities_give_lux_and_photons() {
     let relative = SENSOR.json(&["--responsivity", &path]);
     let nominal = SENSOR.json(&[]);
     for (label, name, lux) in simulate::LAMPS {
-        let reading = labelled(&readings, label);
+        let reading = labeled(&readings, label);
         println!("{label}: {} lx, {} umol/m2/s", reading["lux"], reading["ppfd"]);
         assert_near(label, &reading["lux"], lux.into(), 0.05 * f64::from(lux));
         let photons = f64::from(ppfd(&simulate::lamp(name, lux)));
         assert_near(label, &reading["ppfd"], photons, 0.06 * photons);
         assert_eq!(reading["responsivities"], "file");
-        let cct_k = number(&labelled(&nominal, label)["cct_k"]);
+        let cct_k = number(&labeled(&nominal, label)["cct_k"]);
         assert_near(label, &reading["cct_k"], cct_k, 0.002 * cct_k);
-        assert!(labelled(&relative, label)["lux"].is_null());
+        assert!(labeled(&relative, label)["lux"].is_null());
         assert!(!has_note(reading, "NOMINAL"));
     }
 }
@@ -167,7 +167,7 @@ fn measured_patches_give_lux_and_color_of_lamps_that_were_not_among_them() {
     let path = SENSOR.file("patches.csv", &text);
     let readings = SENSOR.json(&["--calibration", &path]);
     for (label, name, lux) in simulate::LAMPS {
-        let reading = labelled(&readings, label);
+        let reading = labeled(&readings, label);
         let truth = xyz(&simulate::lamp(name, lux)).uv1960().expect("a color").cct();
         let (cct_k, _) = truth.near().expect("a white");
         println!("{label}: {} lx for {lux}, {} K for {cct_k}", reading["lux"], reading["cct_k"]);

@@ -1,4 +1,4 @@
-//! Correlated colour temperature, by the crate and by what others use.
+//! Correlated color temperature, by the crate and by what others use.
 
 mod printed;
 
@@ -138,7 +138,7 @@ fn summary(methods: &[Method], bands: &[Band], runs: usize) -> Table {
     });
     Table {
         id: "cct",
-        title: "Correlated colour temperature, by method".into(),
+        title: "Correlated color temperature, by method".into(),
         about: format!(
             "In f32, against the nearest point of the locus in f64, at {all} points: 1000 K to a million, |Duv| up to \
              0.05. Lamps: 2500 K to 10 000 K, |Duv| up to 0.02. Beaten by: methods whose tables are no larger and whose \
@@ -173,7 +173,7 @@ fn by_band(methods: &[Method], bands: &[Band]) -> Table {
     in_order(&mut rows, methods.iter().map(|method| method.name));
     Table {
         id: "cct-bands",
-        title: "Correlated colour temperature, by method and place".into(),
+        title: "Correlated color temperature, by method and place".into(),
         about: "The same by temperature and distance from the locus. Beaten by: methods whose tables are no larger and \
                 whose worst is smaller here."
             .into(),

@@ -20,7 +20,7 @@ pub fn table() -> Table {
         id: "effects-bands",
         title: "Bundled scenes on fewer bands".into(),
         about: format!(
-            "CIEDE2000 between a scene in bins of 380..730 nm and the same on the 471 nanometres of the CIE, each with \
+            "CIEDE2000 between a scene in bins of 380..730 nm and the same on the 471 nanometers of the CIE, each with \
              its own white: over {}. What is no product band by band (a dye) or bends within a band (a film) pays for \
              few; what the brightener in the paper takes below 380 nm, no number of bands from there brings back. \
              Beaten by: fewer bands whose mean is smaller. Instructions: folded.",

@@ -2,7 +2,7 @@
 
 use crate::cells::{TIME, beaten};
 use crate::clock::nanoseconds;
-use crate::nanometres::{Lit, NODES, for_y_100, nm, world};
+use crate::nanometers::{Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
 use model::delta_e::de2000;
 use model::film::{airy, mean};
@@ -14,7 +14,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Interpolation, Observer, Outside, Reflectance};
 use std::hint::black_box;
 
-/// Of soap, in nm, and how many points for each nanometre show all its fringes.
+/// Of soap, in nm, and how many points for each nanometer show all its fringes.
 const FILMS: [(f32, usize); 5] =
     [(300.0, 8), (2000.0, 8), (20_000.0, 16), (100_000.0, 64), (1_000_000.0, 512)];
 const SOAP: f32 = 1.33;
@@ -42,7 +42,7 @@ pub fn table(runs: usize) -> Table {
     Table {
         id: "films",
         title: "A film of soap: its reflectance read at points, or averaged over bins".into(),
-        about: "CIEDE2000 under D65 against many points in every nanometre, at right angles, a white mirror being \
+        about: "CIEDE2000 under D65 against many points in every nanometer, at right angles, a white mirror being \
                 white; bins of 380..730 nm. Beaten by: fewer bands in the same way that are nearer. Times are those of a \
                 reflectance of so many bands."
             .into(),
@@ -95,7 +95,7 @@ fn of<const N: usize>(truth: &Truth, runs: usize) -> Look {
     let film = ThinFilm::new([1.0, SOAP, 1.0], truth.thickness_nm);
     let points = || -> Reflectance<N> {
         let film = black_box(film);
-        Reflectance::at_centres(|nm| film.at(nm, 1.0).iter().map(|shares| 0.5 * shares.reflected).sum())
+        Reflectance::at_centers(|nm| film.at(nm, 1.0).iter().map(|shares| 0.5 * shares.reflected).sum())
     };
     let means = || -> Reflectance<N> { black_box(film).reflectance(1.0) };
     let seen = |spectrum| lab(eye.sees(&spectrum).map(f64::from), truth.white);

@@ -1,4 +1,4 @@
-//! What it shows in colour to leave an effect out, beside what the effect costs.
+//! What it shows in color to leave an effect out, beside what the effect costs.
 
 mod bands;
 mod films;

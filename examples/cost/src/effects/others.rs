@@ -7,7 +7,7 @@ use model::delta_e::de2000;
 use model::lab::lab;
 use nanospectra::color::Xyz;
 use nanospectra::light;
-use nanospectra::matter::{CES, Dielectric, Glass, Mirror, N_SF11, Polariser};
+use nanospectra::matter::{CES, Dielectric, Glass, Mirror, N_SF11, Polarizer};
 use nanospectra::observer::CIE_1931;
 use nanospectra::path::{IntoPart, Scene};
 use nanospectra::sensor::DeadTime;
@@ -72,22 +72,22 @@ impl Rooms {
         let cos = 1.0 / 3.25_f32.sqrt();
         for (case, turns) in [("two panes in parallel, 56 degrees", 0.0), ("two panes, crossed", 0.25)] {
             let [first, second] = [0.0, turns].map(|axis| Mirror::dielectric(&[1.5; N], cos, axis));
-            add("polarisation", case, self.without_polarisation(&first, &second));
+            add("polarization", case, self.without_polarization(&first, &second));
         }
-        let sheet = Polariser::ideal(0.0);
-        add("polarisation", "two sheets in parallel", self.without_polarisation(&sheet, &sheet));
+        let sheet = Polarizer::ideal(0.0);
+        add("polarization", "two sheets in parallel", self.without_polarization(&sheet, &sheet));
         // Both faces; the index at each wavelength, or that of the d line at all.
         let n_d = N_SF11.index(587.56).unwrap_or(1.0);
         for (degrees, cos) in [(0, 1.0), (60, 0.5)] {
-            let face = |eta: f32| 1.0 - Dielectric::new(eta).fresnel(cos).unpolarised();
-            let with = Reflectance::at_centres(|nm| face(N_SF11.index(nm).unwrap_or(n_d)));
+            let face = |eta: f32| 1.0 - Dielectric::new(eta).fresnel(cos).unpolarized();
+            let with = Reflectance::at_centers(|nm| face(N_SF11.index(nm).unwrap_or(n_d)));
             let without = Reflectance::flat(face(n_d));
             let case = format!("into N-SF11 and out again, {degrees} degrees");
             add("dispersion", &case, self.between(&(with * with), &(without * without)));
         }
         for degrees in [30u8, 60, 80] {
             let [with, without] = [f32::from(degrees).to_radians().cos(), 1.0].map(|cos| {
-                let face = Reflectance::flat(1.0 - Dielectric::new(1.5).fresnel(cos).unpolarised());
+                let face = Reflectance::flat(1.0 - Dielectric::new(1.5).fresnel(cos).unpolarized());
                 face * face
             });
             let case = format!("through a pane, {degrees} degrees");
@@ -100,7 +100,7 @@ impl Rooms {
         rows
     }
 
-    fn without_polarisation<'a, P: IntoPart<'a, N, Grid>>(&self, first: P, second: P) -> (Vec<f64>, Cell) {
+    fn without_polarization<'a, P: IntoPart<'a, N, Grid>>(&self, first: P, second: P) -> (Vec<f64>, Cell) {
         let mut scene: Scene<N, 2, Grid> = Scene::new();
         // (There is room for two.)
         let _ = scene.push(first).and_then(|()| scene.push(second));

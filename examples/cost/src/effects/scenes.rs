@@ -16,7 +16,7 @@ pub const LAMPS: [&str; 8] = ["A", "D65", "FL2", "FL7", "FL11", "LED-B1", "LED-B
 /// What devices count nearest to a part with an effect: a whole path of 31 bands.
 const PATHS: [(&str, &str); 5] = [
     ("fluorescence", "path-dye"),
-    ("polarisation", "path-two-mirrors"),
+    ("polarization", "path-two-mirrors"),
     ("absorption", "path-glass-surface"),
     ("Beer-Lambert", "path-glass-surface"),
     ("reflection", "path-surface"),
@@ -33,7 +33,7 @@ pub fn table() -> Table {
         title: "Bundled scenes without one of their parts".into(),
         about: format!(
             "CIEDE2000 between a scene and the same without the effect of a part (a filter or a film gone, a dye that \
-             does not glow, a mirror that does not polarise), white being white under the bare lamp: over {}. 81 bands; \
+             does not glow, a mirror that does not polarize), white being white under the bare lamp: over {}. 81 bands; \
              multiply-adds are those of the part as the scene's bill has them. Instructions: a whole path of 31 bands \
              with such a part, walked.",
             LAMPS.join(", ")

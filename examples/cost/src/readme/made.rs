@@ -11,7 +11,7 @@ pub fn maker(name: &str) -> Option<fn(&Value) -> String> {
     match name {
         "xyz" => Some(|report| xyz(&choices(report))),
         "losses" => Some(losses),
-        "maths" => Some(maths),
+        "math" => Some(math),
         "cct" => Some(cct),
         _ => None,
     }
@@ -30,7 +30,7 @@ const SHOWN: [(&str, &str, u32, &str); 12] = [
     ("380..730", "averages", 60, "60 averages, *not folded*"),
     ("400..700", "averages", 60, "60 averages, 400..700, *not folded*"),
     ("400..700", "points", 31, "31 points, every 10 nm, *not folded*"),
-    ("-", "sRGB product", 3, "a product of sRGB colours"),
+    ("-", "sRGB product", 3, "a product of sRGB colors"),
 ];
 
 fn xyz(choices: &[Choice]) -> String {
@@ -91,8 +91,8 @@ fn losses(report: &Value) -> String {
     out
 }
 
-fn maths(report: &Value) -> String {
-    let rows = rows(report, "maths");
+fn math(report: &Value) -> String {
+    let rows = rows(report, "math");
     let backends = [
         ("Fast", "`Fast`"),
         ("Portable", "`Portable` (default)"),

@@ -43,9 +43,9 @@ impl Spread {
 pub struct Score {
     /// Of each class, the samples, to the truth's white.
     pub absolute: [Spread; CLASSES.len()],
-    /// Mean with each colour seen from its own white, which hides the error of the light itself.
+    /// Mean with each color seen from its own white, which hides the error of the light itself.
     pub own_white: [f64; CLASSES.len()],
-    /// The light's own colour, tabulated lamps and then lines.
+    /// The light's own color, tabulated lamps and then lines.
     pub light: [LightError; 2],
     /// Of each class, two bounces.
     pub two_bounces: [Spread; CLASSES.len()],

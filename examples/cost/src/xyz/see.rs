@@ -72,7 +72,7 @@ fn on<const N: usize, B: Grid, P: Grid>(world: &World) -> Vec<Outcome> {
         .collect()
 }
 
-/// The product of colours, for comparison: of the samples only.
+/// The product of colors, for comparison: of the samples only.
 pub fn in_rgb(world: &World) -> Outcome {
     let seen: Vec<Seen> = world
         .lamps
@@ -140,7 +140,7 @@ fn table() -> [Vec<(f32, f32)>; 3] {
     rows.map(|row| row.into_iter().enumerate().map(|(k, weight)| (360.0 + k as f32, weight)).collect())
 }
 
-/// The averages of the colour-matching functions over the bins, and nothing of what lies outside.
+/// The averages of the color-matching functions over the bins, and nothing of what lies outside.
 fn eye_cut_off<const N: usize, G: Grid>() -> Observer<3, N, Power, G> {
     Observer::from_rows(table().map(|row| {
         *Spectrum::<Power, N, G>::from_samples(&row, Outside::Zero).expect("the observer's table").values()

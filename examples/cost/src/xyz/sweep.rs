@@ -51,7 +51,7 @@ pub fn means(outcomes: &[Outcome], prices: &Prices, world: &World) -> Table {
     };
     let title = "XYZ of a surface under a lamp: mean CIEDE2000, and what it costs";
     let about = format!(
-        "Truth: f64 sums every 0.1 nm, 360 to 830 nm, of straight lines between the data; 99 colour evaluation \
+        "Truth: f64 sums every 0.1 nm, 360 to 830 nm, of straight lines between the data; 99 color evaluation \
          samples (CIE 224) under {}. Errors are absolute: with the truth's white and the truth's scale. A folded observer has what \
          lies outside its range in the end bins, points and averages cut it off, averages+tails do not. \
          Instructions at opt-level 3 in QEMU; bytes of constants, and of each surface.",
@@ -78,7 +78,7 @@ pub fn lights(outcomes: &[Outcome]) -> Table {
         Column::figure("lines_mired", "mired"),
     ];
     let title = "The light itself: its worst error, and mean CIEDE2000 from its own white";
-    let about = "Seen from its own white a colour is nearer to the truth, since the error of the light goes out of \
+    let about = "Seen from its own white a color is nearer to the truth, since the error of the light goes out of \
         it. Then the worst Y, u'v' and CCT of the lights of tables and of lines; CCT of those within 0.02 of \
         the locus, - where one has none any more.";
     table("xyz-light", title, about, &[&MEANS, &errors], outcomes, |outcome| {
@@ -90,7 +90,7 @@ pub fn lights(outcomes: &[Outcome]) -> Table {
 
 pub fn two_bounces(outcomes: &[Outcome]) -> Table {
     let title = "Light off two surfaces: CIEDE2000 of products of averages";
-    let about = "60 pairs of the colour evaluation samples. An average of products is no product of averages, and no \
+    let about = "60 pairs of the color evaluation samples. An average of products is no product of averages, and no \
         fold of the light knows of it.";
     table("two-bounces", title, about, &[&with_max("", "mean")], hard(outcomes), |outcome| {
         let spreads = outcome.score.two_bounces.iter();
@@ -111,7 +111,7 @@ pub fn filters(outcomes: &[Outcome]) -> Table {
         Column::figure("negative_40nm", "negative %"),
     ];
     let title = "Narrow filters: CIEDE2000, and how often X, Y or Z is negative";
-    let about = "Gaussians 10, 20 and 40 nm wide at half their height, centred on 420, 425 .. 680 nm, under the lamps \
+    let about = "Gaussians 10, 20 and 40 nm wide at half their height, centerd on 420, 425 .. 680 nm, under the lamps \
         of all tables: what a smooth curve through averages is not made for.";
     table("filters", title, about, &[&columns], hard(outcomes), |outcome| {
         let filters = outcome.score.filters.iter();

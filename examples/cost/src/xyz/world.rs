@@ -16,7 +16,7 @@ pub type Points = Vec<(f32, f32)>;
 pub struct World {
     pub lamps: Vec<Lamp>,
     pub sets: Vec<Set>,
-    /// Colours of the colour evaluation samples under D65, for products of colours.
+    /// Colors of the color evaluation samples under D65, for products of colors.
     pub rgb: Vec<[f32; 3]>,
 }
 
@@ -43,7 +43,7 @@ pub struct Lamp {
     pub rgb: [f32; 3],
 }
 
-/// The colour evaluation samples come first.
+/// The color evaluation samples come first.
 pub const CES: usize = 0;
 /// Then light that meets two of them.
 pub const TWO_BOUNCES: usize = 1;
@@ -92,16 +92,16 @@ fn sets(ces: &[(Points, Vec<f64>)]) -> Vec<Set> {
     };
     let mut sets: Vec<Set> = vec![ces.iter().map(one).collect(), (0..BOUNCES).map(two).collect()];
     sets.extend(FILTER_WIDTHS.map(|width| -> Set {
-        (420..=680).step_by(5).map(|centre| filter(f64::from(centre), width)).collect()
+        (420..=680).step_by(5).map(|center| filter(f64::from(center), width)).collect()
     }));
     sets
 }
 
-/// A Gaussian that lets everything through at its centre.
-fn filter(centre: f64, width: f64) -> Surface {
+/// A Gaussian that lets everything through at its center.
+fn filter(center: f64, width: f64) -> Surface {
     let points: Vec<(f64, f64)> = (0..=940)
         .map(|k| 360.0 + f64::from(k) / 2.0)
-        .map(|nm| (nm, (-4.0 * std::f64::consts::LN_2 * ((nm - centre) / width).powi(2)).exp()))
+        .map(|nm| (nm, (-4.0 * std::f64::consts::LN_2 * ((nm - center) / width).powi(2)).exp()))
         .collect();
     Surface { factors: vec![singles(&points)], values: values(&Curve::new(points, Outside::Hold)) }
 }

@@ -50,7 +50,7 @@ fn sixteen_folded_bands_beat_sixty_averages_under_every_class_of_lamps() {
 }
 
 #[test]
-fn a_folded_light_keeps_its_colour_and_steps_are_never_negative() {
+fn a_folded_light_keeps_its_color_and_steps_are_never_negative() {
     let record = record();
     for row in rows(&record, "xyz-light") {
         if row["scheme"].as_str().is_some_and(|scheme| scheme.starts_with("folded")) {
@@ -74,7 +74,7 @@ fn the_front_is_folded_and_leads_down() {
         assert!(number(pair[0], "m4f_instructions") < number(pair[1], "m4f_instructions"));
         assert!(number(pair[0], "mean_de2000") > number(pair[1], "mean_de2000"));
     }
-    // Dearer than a product of colours, the best is folded.
+    // Dearer than a product of colors, the best is folded.
     assert!(
         front.iter().skip(1).all(|row| row["scheme"].as_str().is_some_and(|name| name.starts_with("folded")))
     );

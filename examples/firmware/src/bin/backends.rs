@@ -1,5 +1,5 @@
-//! Prints the instructions that each function of each maths backend takes, and what is made of one, one
-//! `maths-function-backend count` per line.
+//! Prints the instructions that each function of each math backend takes, and what is made of one, one
+//! `math-function-backend count` per line.
 //!
 //! An image of its own beside `count`: `Libm` runs in soft f64, and that one must have none. Counted as there.
 #![no_std]
@@ -25,8 +25,8 @@ fn main() -> ! {
     let fresnel =
         clock.longest(|cos, shares| *shares = Some(Dielectric::new(1.5).fresnel(*cos)), &[1.0, 0.5, 0.1]);
     let sellmeier = clock.longest(|nm, index| *index = N_BK7.index(*nm), &[400.0, 589.3, 700.0]);
-    println!("maths-fresnel {fresnel}");
-    println!("maths-sellmeier {sellmeier}");
+    println!("math-fresnel {fresnel}");
+    println!("math-sellmeier {sellmeier}");
     process::exit(0)
 }
 
@@ -59,5 +59,5 @@ fn backend<M: Math>(clock: &Clock, name: &str) {
 }
 
 fn of_backend<A, R: Default>(clock: &Clock, function: &str, backend: &str, f: fn(&A, &mut R), inputs: &[A]) {
-    println!("maths-{function}-{backend} {}", clock.longest(f, inputs));
+    println!("math-{function}-{backend} {}", clock.longest(f, inputs));
 }

@@ -36,7 +36,7 @@ fn main() -> ! {
     count(&clock, "uv1976", |xyz, out| *out = xyz.uv1976(), &colors);
     count(&clock, "lab", |xyz, out| *out = xyz.lab(WHITE), &colors);
 
-    // Blues (Sharma's first pair), opposite hues (his tenth), a grey beside a colour.
+    // Blues (Sharma's first pair), opposite hues (his tenth), a gray beside a color.
     let pairs = [
         [[50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485]],
         [[50.0, -0.001, 2.49], [50.0, 0.0011, -2.49]],

@@ -1,4 +1,4 @@
-//! A published driver on a bus: bytes to counts by the crate `as7341`, counts to colour by this one.
+//! A published driver on a bus: bytes to counts by the crate `as7341`, counts to color by this one.
 //!
 //! The bus is a mock with an AS7341 on it that stands under an LED; on a board, your HAL's I2C and delay take its
 //! place. Runs on a host (`cargo run --bin driver`) and on boards (`--target <triple>`).
@@ -49,7 +49,7 @@ fn read() -> i32 {
     let color = exposure.basic_counts(&counts).and_then(|basic| TO_XYZ.xyz(&basic));
     let cct = color.ok().and_then(|xyz| xyz.uv1960()).map(|uv| uv.cct());
     let Some(Cct::Near { cct_k, duv }) = cct else {
-        println!("no colour temperature: {color:?}");
+        println!("no color temperature: {color:?}");
         return 1;
     };
     println!("counts {counts:?}: {cct_k:.0} K, Duv {duv:.4}");

@@ -1,4 +1,4 @@
-//! A program that takes 16 bands and makes three numbers of them, without knowing any colour: what `fold16`
+//! A program that takes 16 bands and makes three numbers of them, without knowing any color: what `fold16`
 //! is compared with to find the price of XYZ in bytes.
 #![no_std]
 #![no_main]

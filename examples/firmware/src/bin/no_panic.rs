@@ -1,6 +1,6 @@
 //! Every run-time step of the crate in one image that does not link if one of them can panic.
 //!
-//! `tests/devices.sh` links it for the Cortex-M4F at both optimisation levels and looks for soft f64 in it. (It
+//! `tests/devices.sh` links it for the Cortex-M4F at both optimization levels and looks for soft f64 in it. (It
 //! is not run: `bits` computes the results.)
 #![no_std]
 #![no_main]
@@ -66,7 +66,7 @@ fn upsampling() {
     black_box(DISPLAY.emits(DISPLAY.rgb(VIEWING.xyz(VIEWING.rgb(&paint)))));
 }
 
-/// Everything about a light, and about the colour it has.
+/// Everything about a light, and about the color it has.
 fn meaning(lamp: &Fine<Power>) {
     black_box((cri(lamp).ok(), tm30(lamp).ok(), AlphaOpic::der(lamp), luminous_efficacy(lamp), ppfd(lamp)));
     black_box((illuminance(lamp), scotopic_illuminance(&lamp.within(400.0, 700.0))));
@@ -74,10 +74,10 @@ fn meaning(lamp: &Fine<Power>) {
     let (white, xy) = (black_box(Xyz::new(95.047, 100.0, 108.883)), xyz.xy().unwrap_or(Xy::new(0.3, 0.3)));
     black_box((xyz.uv1960().map(|uv| uv.cct()), xyz.uv1976(), xyz.with_y(100.0)));
     black_box(dominant_wavelength(xy, Xy::new(1.0 / 3.0, 1.0 / 3.0), &CIE_1931));
-    let (lab, grey) =
+    let (lab, gray) =
         (xyz.lab(white).unwrap_or(Lab::new(50.0, 0.0, 0.0)), black_box(Lab::new(50.0, 1.0, 1.0)));
-    black_box((ciede2000(lab, grey), cmc(lab, grey, 2.0, 1.0), lab.lch().lab(), xyz.luv(white), xyz.oklab()));
-    black_box(cie94(lab, grey, nanospectra::color::Cie94::Textiles));
+    black_box((ciede2000(lab, gray), cmc(lab, gray, 2.0, 1.0), lab.lch().lab(), xyz.luv(white), xyz.oklab()));
+    black_box(cie94(lab, gray, nanospectra::color::Cie94::Textiles));
     let adapted = Adaptation::between::<Bradford>(xyz, white).map(|to_white| to_white.apply(xyz));
     let rgb = Rgb::<Srgb>::from_xyz_y100(adapted.unwrap_or(white));
     black_box((rgb.clip().rgb.encode().to_u8(), rgb.dim(), rgb.desaturate().rgb.encode().decode()));

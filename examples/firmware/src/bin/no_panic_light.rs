@@ -10,14 +10,14 @@ use core::hint::black_box;
 use nanospectra::geometry::{Cosine, Direction, Frame, GaussLegendre, Uniform};
 use nanospectra::matter::{
     Absorber, Brdf, Burley, Cauchy, Conductor, Dielectric, Dipole, Donaldson, Dye, Glass, Lambert, Layer,
-    Medium, Microfacet, Mirror, N_BK7, OrenNayar, Phosphor, Polariser, Retarder, SearchLight, Slab, Smooth,
+    Medium, Microfacet, Mirror, N_BK7, OrenNayar, Phosphor, Polarizer, Retarder, SearchLight, Slab, Smooth,
     Stack, ThinFilm, TrowbridgeReitz, VisibleNormals, external_reflectance, internal_reflectance,
     internal_transmittance, rayleigh_per_m, scattering, stack_bins,
 };
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::path::{Part, Scene};
 use nanospectra::radiometry::{
-    DiscSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance,
+    DiskSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance,
     form_factor, solid_angle,
 };
 use nanospectra::sensor::{Bend, DeadTime};
@@ -40,14 +40,14 @@ fn main() -> ! {
 /// Light on its way, by every kind of matter.
 fn paths() {
     let sun = Light::<31>::flat(black_box(1.0));
-    let (grey, dye) = (Reflectance::flat(black_box(0.4)), black_box(&VEST));
+    let (gray, dye) = (Reflectance::flat(black_box(0.4)), black_box(&VEST));
     let matrix: Donaldson<31, 496> = Donaldson::of_dye(dye);
     let mut phosphor = Phosphor::new(*dye, black_box(1.0));
-    phosphor.step(sun.through(&grey), black_box(0.1));
-    black_box(EYE.sees(sun.through(&grey).onto(dye).onto(&matrix).onto(&phosphor)));
+    phosphor.step(sun.through(&gray), black_box(0.1));
+    black_box(EYE.sees(sun.through(&gray).onto(dye).onto(&matrix).onto(&phosphor)));
     let lake = Mirror::dielectric(&black_box([1.33; 31]), black_box(0.5), black_box(0.1));
-    let (sheet, plate) = (Polariser::new(&grey, &grey, black_box(0.2)), Retarder::flat(black_box(0.2), 0.1));
-    let light = sun.polarised().onto(&lake).through(&plate).through(&grey).through(&sheet);
+    let (sheet, plate) = (Polarizer::new(&gray, &gray, black_box(0.2)), Retarder::flat(black_box(0.2), 0.1));
+    let light = sun.polarized().onto(&lake).through(&plate).through(&gray).through(&sheet);
     black_box((light.stokes_at(black_box(7)), EYE.sees(light.onto(dye))));
     let coarse: Dye<16> = dye.resample();
     black_box(Light::<16>::flat(1.0).onto(&coarse).collected().values());
@@ -59,16 +59,16 @@ fn paths() {
 
 /// A path chosen at run time: walked, folded, judged.
 fn scenes() {
-    let (sun, grey) = (Light::<31>::flat(black_box(1.0)), Reflectance::flat(black_box(0.4)));
-    let (matrix, sheet) = (Donaldson::<31, 496>::of_dye(&VEST), Polariser::ideal(black_box(0.2)));
+    let (sun, gray) = (Light::<31>::flat(black_box(1.0)), Reflectance::flat(black_box(0.4)));
+    let (matrix, sheet) = (Donaldson::<31, 496>::of_dye(&VEST), Polarizer::ideal(black_box(0.2)));
     let (lake, plate) = (Mirror::dielectric(&[1.33; 31], 0.5, 0.1), Retarder::flat(black_box(0.2), 0.1));
     let mut scene: Scene<31, 8> = Scene::new();
-    let parts = [Part::Filter(&grey), Part::Surface(&grey), (&VEST).into(), (&matrix).into(), (&lake).into()];
+    let parts = [Part::Filter(&gray), Part::Surface(&gray), (&VEST).into(), (&matrix).into(), (&lake).into()];
     for part in parts.into_iter().chain([(&plate).into(), (&sheet).into()]) {
         black_box(scene.push(part).is_ok());
     }
     let scene = black_box(scene);
-    black_box((scene.leaving(&sun).is_ok(), scene.fold(&EYE).is_ok(), scene.fold_polarised(&EYE).sees(&sun)));
+    black_box((scene.leaving(&sun).is_ok(), scene.fold(&EYE).is_ok(), scene.fold_polarized(&EYE).sees(&sun)));
     let found = scene.within_budget(&EYE, &sun, black_box(1.0));
     black_box((found.delta_e, found.scene.left_out().count(), found.scene.price(), scene.folded_price(3)));
 }
@@ -77,21 +77,21 @@ fn scenes() {
 fn geometry() {
     let [a, b, c] = black_box([1.0, 2.0, 0.5]);
     let [p, q, r, n] = black_box([[0.0, 0.0, 2.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.1, 1.0]]);
-    black_box((solid_angle::cone(a), solid_angle::sphere(a, b), solid_angle::disc_off_axis(a, b, c)));
+    black_box((solid_angle::cone(a), solid_angle::sphere(a, b), solid_angle::disk_off_axis(a, b, c)));
     black_box((
-        solid_angle::disc(a, b),
+        solid_angle::disk(a, b),
         solid_angle::rectangle(a, b, c),
         solid_angle::triangle(n, [p, q, r]),
     ));
-    black_box((form_factor::coaxial_discs(a, b, c), form_factor::parallel_rectangles(a, b, c)));
+    black_box((form_factor::coaxial_disks(a, b, c), form_factor::parallel_rectangles(a, b, c)));
     black_box((form_factor::perpendicular_rectangles(a, b, c), form_factor::reciprocal(a, b, c)));
     let spectral = Radiance::new(Light::<31>::flat(b));
     let panel = RectangleSource { corner_m: p, edges_m: [q, r], radiance: spectral };
     let globe = SphereSource { center_m: p, radius_m: c, radiance: spectral };
     let lamp = PointSource { position_m: p, intensity: spectral.intensity(a, c) };
-    let disc = DiscSource { radius_m: c, radiance: spectral };
+    let disk = DiskSource { radius_m: c, radiance: spectral };
     let together =
-        panel.irradiance(n, n) + globe.irradiance(n, n) + lamp.irradiance(n, n) + disc.irradiance(a, b);
+        panel.irradiance(n, n) + globe.irradiance(n, n) + lamp.irradiance(n, n) + disk.irradiance(a, b);
     black_box((together.radiant(), together.flux(a).during(b), together.sent_back().lambertian()));
     black_box(SurfaceElement { position_m: p, normal: n, area_m2: a }.seen_from(q));
     black_box(SurfaceRadiance::free_space(n, |_| spectral).incident(q));

@@ -74,5 +74,5 @@ fn glass_surface_by_hand(parts: &Parts, xyz: &mut [f32; 3]) {
 
 #[inline(never)]
 fn two_mirrors(parts: &Parts, xyz: &mut [f32; 3]) {
-    *xyz = EYE.sees(parts.sun.polarised().onto(&parts.lake).onto(&parts.lake).ignoring_polarisation());
+    *xyz = EYE.sees(parts.sun.polarized().onto(&parts.lake).onto(&parts.lake).ignoring_polarization());
 }

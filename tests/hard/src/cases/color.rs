@@ -74,7 +74,7 @@ fn naive_knee(&[below, _]: &[f32; 2]) -> [f32; 2] {
 const DARK: [[f32; 1]; 6] = [[0.0], [-1e-3], [-0.5], [1e-6], [0.005], [0.5]];
 
 const BLACK: [[f32; 3]; 1] = [[0.0; 3]];
-/// A colour, relative to a white without Z.
+/// A color, relative to a white without Z.
 const RED_LASER: [[f32; 3]; 1] = [[0.7, 0.3, 0.0]];
 const COLOR: Xyz = Xyz::new(0.2, 0.2, 0.1);
 
@@ -109,7 +109,7 @@ fn lab(white: &[f32; 3]) -> [f32; 1] {
     answered(COLOR.lab(Xyz::from(*white)).map(|lab| lab.b))
 }
 
-/// Signals on both sides of the knee, and colours outside the gamut.
+/// Signals on both sides of the knee, and colors outside the gamut.
 const SIGNALS: [[f32; 1]; 12] =
     [[0.0], [1e-4], [0.003], [0.003_2], [0.02], [0.18], [0.5], [0.9], [1.0], [-0.001], [-0.18], [-1.0]];
 

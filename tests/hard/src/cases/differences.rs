@@ -66,7 +66,7 @@ const FAR: [Pair; 3] = [
     [30.0, -5.0, 80.0, 40.0, 70.0, -60.0],
 ];
 
-/// Colours without luminance, as lasers and matrices make them.
+/// Colors without luminance, as lasers and matrices make them.
 const LARGE: [Pair; 5] = [
     [50.0, 1e5, 100.0, 50.0, 1e5, -200.0],
     [50.0, 2e5, 1e5, 40.0, 1e5, 2e5],
@@ -75,7 +75,7 @@ const LARGE: [Pair; 5] = [
     [10.0, 3e7, 1.0, 90.0, 2e7, 5e6],
 ];
 
-/// Saturated colours a hundredth apart.
+/// Saturated colors a hundredth apart.
 fn near() -> [Pair; 24] {
     let mut noise = Noise(34);
     [(); 24].map(|()| {

@@ -65,10 +65,10 @@ static EYE: Observer<3, 31> = CIE_1931
     .fold(Curve::Spline)
     .with_white_y(100.0);
 
-/// XYZ of the film from its reflectance at the centres of 31 bins.
+/// XYZ of the film from its reflectance at the centers of 31 bins.
 fn points(&[d]: &[f32; 1]) -> [f32; 3] {
     let film = ThinFilm::new(SOAP, d);
-    EYE.sees(&Reflectance::<31>::at_centres(|nm| Shares::mean(film.at(nm, 1.0)).reflected))
+    EYE.sees(&Reflectance::<31>::at_centers(|nm| Shares::mean(film.at(nm, 1.0)).reflected))
 }
 
 /// From its mean over them.

@@ -5,7 +5,7 @@ use super::noise::Noise;
 use super::textbook::{acos, atan, cos, tan};
 use core::f32::consts::{PI, TAU};
 use nanospectra::math::sqrt;
-use nanospectra::radiometry::form_factor::coaxial_discs;
+use nanospectra::radiometry::form_factor::coaxial_disks;
 use nanospectra::radiometry::solid_angle::{cone, sphere, triangle};
 
 pub fn rows(cases: &mut impl Cases) {
@@ -16,7 +16,7 @@ pub fn rows(cases: &mut impl Cases) {
         |&[half]| [cone(half)],
     );
     cases.row("8", &SPHERES, naive_sphere, |&[radius, distance]| [sphere(radius, distance)]);
-    cases.row("9", &DISCS, naive_discs, |&[r1, r2]| [coaxial_discs(r1, r2, 1.0)]);
+    cases.row("9", &DISCS, naive_disks, |&[r1, r2]| [coaxial_disks(r1, r2, 1.0)]);
     let small = small();
     cases.row("10", &small, |corners| [van_oosterom(corners, atan2)], ours_triangle);
     cases.row("11a", &small, lhuilier, ours_triangle);
@@ -91,7 +91,7 @@ fn naive_sphere(&[radius, distance]: &[f32; 2]) -> [f32; 1] {
     [TAU * (1.0 - sqrt(1.0 - sine * sine))]
 }
 
-fn naive_discs(&[r1, r2]: &[f32; 2]) -> [f32; 1] {
+fn naive_disks(&[r1, r2]: &[f32; 2]) -> [f32; 1] {
     let sum = 1.0 + (1.0 + r2 * r2) / (r1 * r1);
     let ratio = r2 / r1;
     [0.5 * (sum - sqrt(sum * sum - 4.0 * ratio * ratio))]

@@ -24,7 +24,7 @@ pub type Chip = Observer<8, N, Power, Points>;
 
 pub static AS7341: Chip = nominal::AS7341.fold(Curve::Step);
 
-/// Eight channels 120 nm wide, each of which sees much of what its neighbours see.
+/// Eight channels 120 nm wide, each of which sees much of what its neighbors see.
 pub static WIDE: Chip = {
     let mut channels = [(415.0, 120.0); 8];
     let mut c = 0;
@@ -43,7 +43,7 @@ static COUNTS: [f32; 8] = {
     counts[COUNTED] = 1.0;
     counts
 };
-/// The correlation of neighbouring bins.
+/// The correlation of neighboring bins.
 pub const SMOOTH: f32 = 0.95;
 
 fn dot(a: &[f32], b: &[f32]) -> f32 {

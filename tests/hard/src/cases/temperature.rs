@@ -1,4 +1,4 @@
-//! Rows 37 to 40: correlated colour temperature by ours and by others' methods.
+//! Rows 37 to 40: correlated color temperature by ours and by others' methods.
 
 use super::{Cases, answered};
 use crate::yardstick::cct::{mccamy, ohno, robertson};
@@ -39,7 +39,7 @@ const PLANE: [[f32; 2]; 24] = [
     [0.1316479, 0.2756011],
 ];
 
-/// Further than 0.05 from the locus, at 5192 K near the centre of its curvature; the primaries of sRGB.
+/// Further than 0.05 from the locus, at 5192 K near the center of its curvature; the primaries of sRGB.
 const OFF: [[f32; 2]; 7] = [
     [0.2367910, 0.4063788],
     [0.2815025, 0.2737105],

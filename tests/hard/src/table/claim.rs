@@ -1,4 +1,4 @@
-//! What the table says of a row before it is computed: `claims.csv`, and `rules.csv` for behaviour rather than rounding.
+//! What the table says of a row before it is computed: `claims.csv`, and `rules.csv` for behavior rather than rounding.
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -28,7 +28,7 @@ pub enum Naive {
     Holds,
 }
 
-/// A rule of behaviour, and the test that pins it.
+/// A rule of behavior, and the test that pins it.
 #[derive(Deserialize)]
 pub struct Rule {
     pub rule: String,

@@ -1,4 +1,4 @@
-//! Rows 25 to 40: sigmoids, Lab, sRGB, colour differences, colour temperature.
+//! Rows 25 to 40: sigmoids, Lab, sRGB, color differences, color temperature.
 
 use super::judge::{Judge, Off, absolute, relative, share, zero};
 use model::{cct, delta_e, transfer};

@@ -22,7 +22,7 @@ pub const JUDGES: &[(&str, Judge)] = &[
     ("6", radiance),
     ("7", |at, got| relative(got, &[geometry::cone(at[0])])),
     ("8", |at, got| relative(got, &[geometry::sphere(at[0], at[1])])),
-    ("9", |at, got| relative(got, &[geometry::coaxial_discs(at[0], at[1], 1.0)])),
+    ("9", |at, got| relative(got, &[geometry::coaxial_disks(at[0], at[1], 1.0)])),
     ("10", small_triangle),
     ("11a", small_triangle),
     ("11b", small_triangle),

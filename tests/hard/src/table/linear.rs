@@ -63,7 +63,7 @@ fn soap(d: f64) -> [[f64; 3]; 2] {
     let (light, rows) = (curve(source("D65")), tables::Observer::Cie1931.published().map(curve));
     let (mut film, mut white) = ([0.0; 3], [0.0; 3]);
     for nm in 360..830 {
-        // Straight lines between the nanometres of the tables: end values suffice.
+        // Straight lines between the nanometers of the tables: end values suffice.
         let ends = [0, 1].map(|end| {
             let nm = f64::from(nm + end);
             rows.each_ref().map(|row| row.at(nm) * light.at(nm))

@@ -33,7 +33,7 @@ pub const JUDGES: &[(&str, Judge)] = &[
     ("53", |at, got| {
         let steps = 20_000;
         let cosines = (0..steps).map(|k| (f64::from(k) + 0.5) / f64::from(steps));
-        let flux: f64 = cosines.map(|c| 2.0 * c * fresnel::unpolarised([at[0], 0.0], c)).sum();
+        let flux: f64 = cosines.map(|c| 2.0 * c * fresnel::unpolarized([at[0], 0.0], c)).sum();
         absolute(got, &[flux / f64::from(steps)])
     }),
 ];

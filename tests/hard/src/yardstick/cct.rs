@@ -1,4 +1,4 @@
-//! Correlated colour temperature as others have it: McCamy's cubic, Robertson's isotherms, Ohno's table.
+//! Correlated color temperature as others have it: McCamy's cubic, Robertson's isotherms, Ohno's table.
 
 use nanospectra::math::sqrt;
 
@@ -93,7 +93,7 @@ fn between([u, v]: [f32; 2], [a, b]: [&[f32; 4]; 2], [from_a, from_b]: [f32; 2])
 /// Made from the CIE 1931 functions by `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard`.
 pub static LOCUS: [[f32; 3]; 466] = include!("locus_1_percent.txt");
 
-/// K and Duv by Ohno's method on his table of 1 % steps: the triangle of the nearest point and its two neighbours,
+/// K and Duv by Ohno's method on his table of 1 % steps: the triangle of the nearest point and its two neighbors,
 /// and from |Duv| = 0.002 on a parabola through their distances. `None` beyond the ends of the table.
 ///
 /// The whole table is searched. The differences of squares are taken as products: the same numbers, which f32 would lose as he writes them.

@@ -1,4 +1,4 @@
-//! Colour without a spectrum: what a renderer in RGB does with a light and a surface.
+//! Color without a spectrum: what a renderer in RGB does with a light and a surface.
 
 /// Linear sRGB to XYZ, Y = 100 for white: from the primaries and the white of the standard.
 ///
@@ -12,7 +12,7 @@ const TO_XYZ: [[f32; 3]; 3] = [
 
 /// XYZ of a surface under a light, both in linear sRGB: component by component, then the matrix.
 ///
-/// The surface's is its colour under D65, with (1, 1, 1) for a perfect white.
+/// The surface's is its color under D65, with (1, 1, 1) for a perfect white.
 #[must_use]
 pub fn rgb_product(light: [f32; 3], surface: [f32; 3]) -> [f32; 3] {
     let ([lr, lg, lb], [sr, sg, sb]) = (light, surface);

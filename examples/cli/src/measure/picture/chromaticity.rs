@@ -18,9 +18,9 @@ const LAST: usize = 700;
 const NUMBERED: [usize; 13] = [460, 470, 480, 490, 500, 510, 520, 540, 560, 580, 600, 620, 700];
 /// Black bodies written beside their line, in K.
 const HOT: [f32; 4] = [2000.0, 3000.0, 5000.0, 10_000.0];
-/// The middle of the fan of colours.
+/// The middle of the fan of colors.
 const WHITE: Xy = Xy { x: 1.0 / 3.0, y: 1.0 / 3.0 };
-/// Colours along a ray of the fan, and wedges along the purple line.
+/// Colors along a ray of the fan, and wedges along the purple line.
 const STOPS: usize = 6;
 const PURPLES: usize = 40;
 
@@ -49,7 +49,7 @@ fn spectral(eye: &FineObserver<3>, nm: usize) -> Option<Xy> {
     Xyz::from(eye.weights().map(|row| row[nm - 360])).xy()
 }
 
-/// The locus filled with colours: wedges from white to the edge.
+/// The locus filled with colors: wedges from white to the edge.
 fn colors(frame: &Frame, locus: &[Xy]) -> Group {
     let (Some(blue), Some(red)) = (locus.first(), locus.last()) else { return Group::new() };
     let mut edge: Vec<Xy> = locus.iter().step_by(2).copied().collect();
@@ -69,7 +69,7 @@ fn colors(frame: &Frame, locus: &[Xy]) -> Group {
     Group::new().add(definitions).add(wedges)
 }
 
-/// The colours from white to a point of the edge.
+/// The colors from white to a point of the edge.
 fn ray(frame: &Frame, id: &str, edge: Xy) -> LinearGradient {
     let gradient = gradient(id, frame.place(WHITE.x, WHITE.y), frame.place(edge.x, edge.y));
     (0..=STOPS).fold(gradient, |gradient, k| {
@@ -125,7 +125,7 @@ fn wavelengths(frame: &Frame, eye: &FineObserver<3>) -> Group {
 /// The line of black bodies from 1500 K to 100,000 K, in equal steps of mired.
 fn black_bodies(frame: &Frame, eye: &FineObserver<3>) -> Group {
     let at = |kelvin: f32| {
-        let light = Fine::<Power>::at_centres(|nm| blackbody_relative(nm, kelvin));
+        let light = Fine::<Power>::at_centers(|nm| blackbody_relative(nm, kelvin));
         Xyz::from(eye.sees(&light)).xy()
     };
     let line = (10..=660).step_by(10).filter_map(|mired| at(1e6 / mired as f32));

@@ -1,4 +1,4 @@
-//! One SVG for each reading: the spectrum in its colours, its place in the chromaticity diagram, a
+//! One SVG for each reading: the spectrum in its colors, its place in the chromaticity diagram, a
 //! swatch and the numbers.
 
 mod chromaticity;
@@ -105,7 +105,7 @@ fn numbers(bench: &Bench, reading: &Reading) -> Group {
     group
 }
 
-/// The colour, as well as a display can show it.
+/// The color, as well as a display can show it.
 fn swatch(reading: &Reading) -> Group {
     let Some(hex) = reading.hex.as_deref() else { return Group::new() };
     let area = Area { left: 850.0, top: 545.0, width: 220.0, height: 130.0 };

@@ -48,7 +48,7 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     Ok(reading)
 }
 
-/// Colour temperature.
+/// Color temperature.
 fn white(reading: &mut Reading, standard: Xyz) {
     let why = match standard.uv1960().map(|uv| uv.cct()) {
         Some(Cct::Near { cct_k, duv }) => {
@@ -64,7 +64,7 @@ fn white(reading: &mut Reading, standard: Xyz) {
     reading.missing(&["cct_k", "duv"], why);
 }
 
-/// How the light renders colours.
+/// How the light renders colors.
 fn rendering(reading: &mut Reading, power: &Fine<Power>) {
     match cri(power) {
         Ok(cri) => {

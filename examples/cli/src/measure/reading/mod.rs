@@ -138,7 +138,7 @@ impl Room {
 }
 
 impl Reading {
-    /// The spectrum at every nanometre, for drawing and comparing; of a surface its reflectance.
+    /// The spectrum at every nanometer, for drawing and comparing; of a surface its reflectance.
     pub fn curve(&self) -> Fine<Power> {
         self.curve.unwrap_or(Fine::flat(0.0))
     }
@@ -148,7 +148,7 @@ impl Reading {
         if self.curve_y == 0.0 { 1.0 } else { self.raw_y / self.curve_y }
     }
 
-    /// A reading with the colour filled in and nothing else; `xyz` may be at any scale.
+    /// A reading with the color filled in and nothing else; `xyz` may be at any scale.
     fn of(bench: &Bench, source: &Source, xyz: Xyz, white: Xy) -> Self {
         let mut reading = Reading {
             file: source.file.clone(),
@@ -174,7 +174,7 @@ impl Reading {
         reading
     }
 
-    /// Fills in the display's colour, clipped; whether it was inside the gamut before.
+    /// Fills in the display's color, clipped; whether it was inside the gamut before.
     fn show(&mut self, color: Rgb<Srgb>) -> bool {
         let clipped = color.clip().rgb;
         let code = clipped.encode();

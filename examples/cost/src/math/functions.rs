@@ -22,7 +22,7 @@ pub fn table(runs: usize) -> Table {
         Column::figure("max_ulp", "in ulp"),
     ]);
     Table {
-        id: "maths",
+        id: "math",
         title: "Elementary functions of f32, by backend".into(),
         about: format!(
             "Against f64 at some {TRIED} numbers over the whole domain of each: all sizes for roots and logarithm, \
@@ -75,7 +75,7 @@ fn of<M: Math>(backend: &'static str, runs: usize) -> Vec<Vec<Cell>> {
             row.extend(errors.map_or([Cell::Nothing, Cell::Nothing], |errors| {
                 errors.map(|error| error_of(backend, error))
             }));
-            all.push(priced(row, &format!("maths-{word}-{}", backend.to_lowercase()), time));
+            all.push(priced(row, &format!("math-{word}-{}", backend.to_lowercase()), time));
         };
     macro_rules! one {
         ($f:expr, $exact:expr, $measure:expr, $inputs:expr, $at:expr) => {

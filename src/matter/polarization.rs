@@ -1,4 +1,4 @@
-//! Matter that treats directions across the beam differently: mirrors, polarisers, retarders.
+//! Matter that treats directions across the beam differently: mirrors, polarizers, retarders.
 
 use crate::grid::{Bins, Grid, Layout, by_fields};
 use crate::math::{cos_turns, sin_turns, sqrt_by_digits};
@@ -42,18 +42,18 @@ impl<const N: usize, G> Mueller<N, G> {
     /// The multiplications of [`turn_natural`](Self::turn_natural) in all bins.
     pub(crate) const NATURAL: usize = 4 * N;
 
-    /// What becomes of unpolarised light in bin `k`: a quarter of the work, since no compiler may leave out a product
+    /// What becomes of unpolarized light in bin `k`: a quarter of the work, since no compiler may leave out a product
     /// with zero.
     #[inline]
     pub(crate) fn turn_natural(&self, k: usize, intensity: f32) -> [f32; 4] {
         let [a, b, ..] = self.elements.get(k).copied().unwrap_or([f32::NAN; 4]);
-        let polarised = b * intensity;
-        [a * intensity, self.cos * polarised, self.sin * polarised, 0.0]
+        let polarized = b * intensity;
+        [a * intensity, self.cos * polarized, self.sin * polarized, 0.0]
     }
 
-    /// The share of unpolarised light that leaves: the effect left out, by name.
+    /// The share of unpolarized light that leaves: the effect left out, by name.
     #[must_use]
-    pub const fn ignoring_polarisation(&self) -> Spectrum<Factor, N, G> {
+    pub const fn ignoring_polarization(&self) -> Spectrum<Factor, N, G> {
         let mut values = [0.0; N];
         let mut k = 0;
         while k < N {
@@ -74,7 +74,7 @@ impl<const N: usize, G> Mueller<N, G> {
 }
 
 impl<const N: usize, G> Priced for Mueller<N, G> {
-    const PRICE: Price = Price { effects: Effects::POLARISATION, multiply_adds: 16 * N, bytes: 16 * N + 8 };
+    const PRICE: Price = Price { effects: Effects::POLARIZATION, multiply_adds: 16 * N, bytes: 16 * N + 8 };
 }
 
 /// A smooth surface that mirrors the light at one angle of incidence; its axis is the direction *across* the plane of
@@ -85,18 +85,18 @@ impl<const N: usize, G> Priced for Mueller<N, G> {
 /// use nanospectra::{Bins, Light};
 ///
 /// // Two panes of glass at Brewster's angle (56.31 degrees), parallel: the second reflects twice what it would of
-/// // unpolarised light.
+/// // unpolarized light.
 /// let pane = Mirror::<1, Bins<500, 600>>::dielectric(&[1.5], 0.554_700_2, 0.0);
 /// let sun = Light::<1, Bins<500, 600>>::flat(1.0);
-/// let [intensity, ..] = sun.polarised().onto(&pane).onto(&pane).stokes_at(0);
+/// let [intensity, ..] = sun.polarized().onto(&pane).onto(&pane).stokes_at(0);
 /// assert!((intensity - 0.010_941).abs() < 1e-6);
-/// let plain = pane.ignoring_polarisation();
+/// let plain = pane.ignoring_polarization();
 /// assert!((sun.onto(&plain).onto(&plain).collected().values()[0] - 0.005_471).abs() < 1e-6);
 /// ```
 ///
 /// # Accuracy
 /// 8e-7 of the incident light, up to 89 degrees, and its phase 3e-7; beside the critical angle what the rounding of
-/// the cosine costs (`tests/matter/polarisation.rs`).
+/// the cosine costs (`tests/matter/polarization.rs`).
 ///
 /// # Cost
 /// 16 bytes for each bin and 8. Light off two mirrors to XYZ takes 800 instructions at 31 bins on a Cortex-M4F; folded into
@@ -106,9 +106,9 @@ pub struct Mirror<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
 by_fields!([const N: usize, G] Mirror<N, G>, "Mirror": 0);
 
 /// A sheet that lets light through along one axis, its own, and not across it.
-pub struct Polariser<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
+pub struct Polarizer<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
 
-by_fields!([const N: usize, G] Polariser<N, G>, "Polariser": 0);
+by_fields!([const N: usize, G] Polarizer<N, G>, "Polarizer": 0);
 
 /// A plate that delays light across its (fast) axis against light along it.
 pub struct Retarder<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
@@ -148,7 +148,7 @@ impl<const N: usize, G> Mirror<N, G> {
     /// # use nanospectra::{Light, Spectrum, matter::Mirror};
     /// let (eta, k) = (Spectrum::flat(0.05), Spectrum::flat(3.3)); // silver, nearly
     /// let silver = Mirror::<31>::conductor(&eta, &k, 0.5, 0.0);
-    /// let [i, q, ..] = Light::flat(1.0).polarised().onto(&silver).stokes_at(0);
+    /// let [i, q, ..] = Light::flat(1.0).polarized().onto(&silver).stokes_at(0);
     /// assert!(i > 0.97 && q > 0.005); // s is reflected better than p
     /// ```
     #[must_use]
@@ -196,10 +196,10 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// Its reflectance for unpolarised light: the effect left out, by name.
+    /// Its reflectance for unpolarized light: the effect left out, by name.
     #[must_use]
-    pub const fn ignoring_polarisation(&self) -> Spectrum<Factor, N, G> {
-        self.0.ignoring_polarisation()
+    pub const fn ignoring_polarization(&self) -> Spectrum<Factor, N, G> {
+        self.0.ignoring_polarization()
     }
 }
 
@@ -247,7 +247,7 @@ const fn dielectric(eta: f32, cos: f32) -> [f32; 4] {
     [0.5 * (s + p), 0.5 * (s - p), s * p_over_s, 0.0]
 }
 
-impl<const N: usize, G> Polariser<N, G> {
+impl<const N: usize, G> Polarizer<N, G> {
     /// The Mueller matrix.
     #[must_use]
     #[inline]
@@ -258,7 +258,7 @@ impl<const N: usize, G> Polariser<N, G> {
     /// A perfect one: all light along the axis, none across it. The axis in turns from the reference direction.
     #[must_use]
     pub const fn ideal(axis_turns: f32) -> Self {
-        Polariser(Mueller::new([[0.5, 0.5, 0.0, 0.0]; N], axis_turns))
+        Polarizer(Mueller::new([[0.5, 0.5, 0.0, 0.0]; N], axis_turns))
     }
 
     /// A real one: its transmittances for light along its axis and across it, 0..=1; what is negative counts as 0.
@@ -275,7 +275,7 @@ impl<const N: usize, G> Polariser<N, G> {
             elements[k] = [a, b, both, 0.0];
             k += 1;
         }
-        Polariser(Mueller::new(elements, axis_turns))
+        Polarizer(Mueller::new(elements, axis_turns))
     }
 }
 
@@ -300,19 +300,19 @@ impl<const N: usize, G: Grid> Retarder<N, G> {
     /// A plate of one path difference, in nm: 137.5 for a quarter-wave plate at 550 nm.
     ///
     /// Within a bin its retardance falls with the wavelength; what is kept is the mean effect over the bin, so light
-    /// behind a plate of many waves is as good as unpolarised. Plates with one axis between the same sheets are one
+    /// behind a plate of many waves is as good as unpolarized. Plates with one axis between the same sheets are one
     /// plate of the sum of their path differences: as two, each would take its mean.
     ///
     /// # Accuracy
     /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins of the
-    /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarisation.rs`).
+    /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarization.rs`).
     #[must_use]
     pub const fn of_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self {
         let mut elements = [[0.0; 4]; N];
         let mut k = 0;
         while k < N {
-            let centre = Spectrum::<Factor, N, G>::centre_nm(k);
-            let (width, turns) = (Layout::<G, N>::STEP / centre, path_difference_nm / centre);
+            let center = Spectrum::<Factor, N, G>::center_nm(k);
+            let (width, turns) = (Layout::<G, N>::STEP / center, path_difference_nm / center);
             // The mean of 1 / wavelength over the bin, and half of what it changes by from edge to edge.
             let (mean, inner) = (turns + turns * (width * width / 12.0), 1.0 - 0.25 * width * width);
             let half = if inner > 0.0 { 0.5 * turns * width / inner } else { f32::INFINITY };

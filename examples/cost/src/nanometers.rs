@@ -1,4 +1,4 @@
-//! The lamps and the samples every nanometre: sums of 471 terms, for what has nothing to do with the number of bins.
+//! The lamps and the samples every nanometer: sums of 471 terms, for what has nothing to do with the number of bins.
 
 use crate::xyz::lamps::{self, Class};
 use model::fine::Curve;
@@ -16,7 +16,7 @@ pub fn nm(k: usize) -> f64 {
 
 pub struct World {
     pub lights: Vec<Light>,
-    /// The 99 colour evaluation samples.
+    /// The 99 color evaluation samples.
     pub ces: Vec<Vec<f64>>,
 }
 
@@ -54,7 +54,7 @@ impl World {
     }
 }
 
-/// Read every 0.1 nm, each reading shared by the two nodes beside it: a line narrower than a nanometre loses
+/// Read every 0.1 nm, each reading shared by the two nodes beside it: a line narrower than a nanometer loses
 /// nothing, wherever it lies.
 fn shared_out(light: &Curve) -> Vec<f64> {
     let mut power = vec![0.0; NODES];
@@ -76,7 +76,7 @@ pub struct Lit {
 }
 
 impl Lit {
-    /// By colour-matching functions, times `scale`.
+    /// By color-matching functions, times `scale`.
     pub fn new(cmf: &[Vec<f64>; 3], power: &[f64], scale: f64) -> Self {
         let rows = cmf.each_ref().map(|row| -> Vec<f64> {
             row.iter().zip(power).map(|(weight, power)| scale * weight * power).collect()

@@ -1,9 +1,9 @@
-//! Mirrors, polarisers and retarders: published values, closed forms, and naive 4 by 4 matrices in f64.
+//! Mirrors, polarizers and retarders: published values, closed forms, and naive 4 by 4 matrices in f64.
 
 use model::allowed::{Singles, check};
 use model::check::Check;
 use model::csv::golden;
-use nanospectra::matter::{Mirror, Polariser, Retarder};
+use nanospectra::matter::{Mirror, Polarizer, Retarder};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, Spectrum};
 use proptest::prelude::*;
@@ -68,74 +68,74 @@ fn malus_law_holds_at_every_angle() {
     let mut check = check("Malus' law");
     for k in 0..=720 {
         let turns = k as f32 / 720.0;
-        let (first, second) = (Polariser::ideal(0.0), Polariser::ideal(turns));
-        let [intensity, ..] = LAMP.polarised().through(&first).through(&second).stokes_at(0);
+        let (first, second) = (Polarizer::ideal(0.0), Polarizer::ideal(turns));
+        let [intensity, ..] = LAMP.polarized().through(&first).through(&second).stokes_at(0);
         check.add(&format!("{turns}"), intensity, 0.5 * (TAU * f64::from(turns)).cos().powi(2));
     }
     check.tight(721);
 }
 
 #[test]
-fn crossed_polarisers_are_dark_and_a_third_between_them_lets_an_eighth_through() {
+fn crossed_polarizers_are_dark_and_a_third_between_them_lets_an_eighth_through() {
     for turns in [0.0, 0.1, 0.37, 0.5, 0.75] {
-        let (first, between) = (Polariser::ideal(turns), Polariser::ideal(turns + 0.125));
-        let crossed = Polariser::ideal(turns + 0.25);
-        let [dark, ..] = LAMP.polarised().through(&first).through(&crossed).stokes_at(0);
+        let (first, between) = (Polarizer::ideal(turns), Polarizer::ideal(turns + 0.125));
+        let crossed = Polarizer::ideal(turns + 0.25);
+        let [dark, ..] = LAMP.polarized().through(&first).through(&crossed).stokes_at(0);
         assert!(dark.abs() < 1e-7, "{turns}: {dark:e}");
-        let [eighth, ..] = LAMP.polarised().through(&first).through(&between).through(&crossed).stokes_at(0);
+        let [eighth, ..] = LAMP.polarized().through(&first).through(&between).through(&crossed).stokes_at(0);
         assert!((eighth - 0.125).abs() < 1e-7, "{turns}: {eighth}");
     }
     let crossed =
-        LAMP.polarised().through(&Polariser::ideal(0.0)).through(&Polariser::ideal(0.25)).stokes_at(0);
+        LAMP.polarized().through(&Polarizer::ideal(0.0)).through(&Polarizer::ideal(0.25)).stokes_at(0);
     assert_eq!(crossed, [0.0; 4], "along the reference it is no light at all");
 }
 
 #[test]
 fn a_quarter_wave_plate_makes_circular_light_and_two_turn_it() {
-    let (sheet, quarter) = (Polariser::ideal(0.0), Retarder::flat(0.25, 0.125));
-    let circular = stokes(|| LAMP.polarised().through(&sheet).through(&quarter).stokes_at(0));
+    let (sheet, quarter) = (Polarizer::ideal(0.0), Retarder::flat(0.25, 0.125));
+    let circular = stokes(|| LAMP.polarized().through(&sheet).through(&quarter).stokes_at(0));
     for (got, exact) in circular.into_iter().zip([0.5, 0.0, 0.0, 0.5]) {
         assert!((got - exact).abs() < 1e-7, "{circular:?}");
     }
-    let turned = stokes(|| LAMP.polarised().through(&sheet).through(&quarter).through(&quarter).stokes_at(0));
+    let turned = stokes(|| LAMP.polarized().through(&sheet).through(&quarter).through(&quarter).stokes_at(0));
     for (got, exact) in turned.into_iter().zip([0.5, -0.5, 0.0, 0.0]) {
         assert!((got - exact).abs() < 1e-7, "{turned:?}");
     }
-    // Of circular light every polariser lets half through.
+    // Of circular light every polarizer lets half through.
     for turns in [0.0, 0.1, 0.2, 0.3] {
-        let behind = Polariser::ideal(turns);
-        let [half, ..] = LAMP.polarised().through(&sheet).through(&quarter).through(&behind).stokes_at(0);
+        let behind = Polarizer::ideal(turns);
+        let [half, ..] = LAMP.polarized().through(&sheet).through(&quarter).through(&behind).stokes_at(0);
         assert!((half - 0.25).abs() < 1e-7, "{turns}: {half}");
     }
 }
 
-/// What is used against the glare of a display: a polariser and a quarter-wave plate, passed twice.
+/// What is used against the glare of a display: a polarizer and a quarter-wave plate, passed twice.
 #[test]
-fn a_circular_polariser_before_a_mirror_is_dark() {
-    let (sheet, quarter) = (Polariser::ideal(0.0), Retarder::flat(0.25, 0.125));
+fn a_circular_polarizer_before_a_mirror_is_dark() {
+    let (sheet, quarter) = (Polarizer::ideal(0.0), Retarder::flat(0.25, 0.125));
     let silver = Mirror::new(&Reflectance::flat(0.9), &Reflectance::flat(0.9), &[[1.0, 0.0]], 0.3);
-    let back = LAMP.polarised().through(&sheet).through(&quarter).onto(&silver).through(&quarter);
+    let back = LAMP.polarized().through(&sheet).through(&quarter).onto(&silver).through(&quarter);
     let [glare, ..] = back.through(&sheet).stokes_at(0);
     assert!(glare.abs() < 1e-7, "{glare:e}");
 }
 
 #[test]
-fn two_parallel_mirrors_at_brewsters_angle_reflect_twice_what_unpolarised_maths_says() {
+fn two_parallel_mirrors_at_brewsters_angle_reflect_twice_what_unpolarized_maths_says() {
     // tan(angle) = 1.5: 56.31 degrees
     let cos = (1.0 / (1.0 + 1.5f64 * 1.5).sqrt()) as f32;
     let mirror = Mirror::dielectric(&[1.5], cos, 0.0);
     let mut check = check("two mirrors at Brewster's angle");
-    let reflected = LAMP.polarised().onto(&mirror).onto(&mirror).stokes_at(0);
+    let reflected = LAMP.polarized().onto(&mirror).onto(&mirror).stokes_at(0);
     let rs: f64 = (1.25f64 / 3.25).powi(2);
     assert!((rs - 0.147_929).abs() < 1e-6, "the published value");
     assert!((rs * rs / 2.0 - 0.010_941).abs() < 1e-6, "the published value");
     check.add("parallel", reflected[0], rs * rs / 2.0);
-    check.add("parallel, all of it polarised", reflected[1], rs * rs / 2.0);
-    let plain = mirror.ignoring_polarisation();
+    check.add("parallel, all of it polarized", reflected[1], rs * rs / 2.0);
+    let plain = mirror.ignoring_polarization();
     let ignoring = LAMP.onto(&plain).onto(&plain).collected().values()[0];
-    check.add("ignoring polarisation", ignoring, rs * rs / 4.0);
+    check.add("ignoring polarization", ignoring, rs * rs / 4.0);
     let crossed = Mirror::dielectric(&[1.5], cos, 0.25);
-    let [dark, ..] = LAMP.polarised().onto(&mirror).onto(&crossed).stokes_at(0);
+    let [dark, ..] = LAMP.polarized().onto(&mirror).onto(&crossed).stokes_at(0);
     check.add("crossed", dark, 0.0);
     check.tight(4);
 }
@@ -143,7 +143,7 @@ fn two_parallel_mirrors_at_brewsters_angle_reflect_twice_what_unpolarised_maths_
 #[test]
 fn mirrors_agree_with_the_golden() {
     let mut check = check("mirrors, golden 10");
-    let (along, mut compared) = (Polariser::ideal(0.0), 0);
+    let (along, mut compared) = (Polarizer::ideal(0.0), 0);
     for row in golden("10_fresnel").rows() {
         let [n1, n2, k2, degrees] = row.numbers(["n1", "n2", "k2", "theta_deg"]);
         let [eta, k, cos] = [n2 / n1, k2 / n1, degrees.to_radians().cos()].map(|v| v as f32);
@@ -155,7 +155,7 @@ fn mirrors_agree_with_the_golden() {
             let metal = Mirror::conductor(&Spectrum::flat(eta), &Spectrum::flat(k), cos, axis);
             let glass = Mirror::dielectric(&[eta], cos, axis);
             for mirror in [metal, if k == 0.0 { glass } else { metal }] {
-                let [intensity, ..] = LAMP.polarised().through(&along).onto(&mirror).stokes_at(0);
+                let [intensity, ..] = LAMP.polarized().through(&along).onto(&mirror).stokes_at(0);
                 check.cell(row, column, 2.0 * f64::from(intensity));
                 compared += 1;
             }
@@ -168,12 +168,12 @@ fn mirrors_agree_with_the_golden() {
 #[test]
 fn a_metal_that_does_not_absorb_turns_phases_as_glass_does() {
     // Light at 45 degrees to the plane of incidence, from without and from within, so that U and V show the phase.
-    let (across, plate) = (Polariser::ideal(0.125), Retarder::flat(0.1, 0.05));
+    let (across, plate) = (Polarizer::ideal(0.125), Retarder::flat(0.1, 0.05));
     for eta in [0.5f32, 0.8, 1.0, 1.5, 2.4] {
         for cos in [-0.5f32, 0.0, 0.1, 0.3, 0.6, 0.8, 1.0] {
             let glass = Mirror::dielectric(&[eta], cos, 0.2);
             let metal = Mirror::conductor(&Spectrum::flat(eta), &Spectrum::flat(0.0), cos, 0.2);
-            let light = LAMP.polarised().through(&across).through(&plate);
+            let light = LAMP.polarized().through(&across).through(&plate);
             let (one, other) = (light.onto(&glass).stokes_at(0), light.onto(&metal).stokes_at(0));
             for (a, b) in one.into_iter().zip(other) {
                 assert!((a - b).abs() < 2e-6, "{eta} {cos}: {one:?} {other:?}");
@@ -187,14 +187,14 @@ fn total_reflection_turns_the_phase_as_fresnel_says() {
     let mut check = check("phase of total reflection");
     for eta in [0.66f32, 0.75, 0.5] {
         for step in 1..90 {
-            let (cos, along) = ((f64::from(step).to_radians().cos()) as f32, Polariser::ideal(0.125));
+            let (cos, along) = ((f64::from(step).to_radians().cos()) as f32, Polarizer::ideal(0.125));
             let degrees = f64::from(cos).acos().to_degrees();
             let critical = f64::from(eta).asin().to_degrees();
             if (degrees - critical).abs() < 0.5 {
                 continue;
             }
             let mirror = Mirror::dielectric(&[eta], cos, 0.0);
-            let got = LAMP.polarised().through(&along).onto(&mirror).stokes_at(0);
+            let got = LAMP.polarized().through(&along).onto(&mirror).stokes_at(0);
             let (s, p) = fresnel(eta.into(), degrees);
             let exact = times(&element(s, p, 0.0), [0.5, 0.0, 0.5, 0.0]);
             for (got, exact) in got.into_iter().zip(exact) {
@@ -209,20 +209,20 @@ fn total_reflection_turns_the_phase_as_fresnel_says() {
 #[test]
 fn a_fresnel_rhomb_makes_circular_light() {
     let cos = (54.0 + 37.0 / 60.0f64).to_radians().cos() as f32;
-    let (sheet, face) = (Polariser::ideal(0.125), Mirror::dielectric(&[1.0 / 1.51], cos, 0.0));
-    let [i, q, u, v] = stokes(|| LAMP.polarised().through(&sheet).onto(&face).onto(&face).stokes_at(0));
+    let (sheet, face) = (Polarizer::ideal(0.125), Mirror::dielectric(&[1.0 / 1.51], cos, 0.0));
+    let [i, q, u, v] = stokes(|| LAMP.polarized().through(&sheet).onto(&face).onto(&face).stokes_at(0));
     assert!((i - 0.5).abs() < 1e-6 && (v.abs() - 0.5).abs() < 1e-4, "{v}");
     assert!(q.abs() < 1e-6 && u.abs() < 2e-3, "{q} {u}");
 }
 
 #[test]
 fn at_right_angles_the_plane_of_incidence_does_not_matter() {
-    let sheet = Polariser::ideal(0.2);
+    let sheet = Polarizer::ideal(0.2);
     for axis in [0.0, 0.1, 0.4] {
         for eta in [1.5f32, 1.0 / 1.5] {
             let mirror = Mirror::dielectric(&[eta], 1.0, axis);
-            let [i, q, u, v] = LAMP.polarised().through(&sheet).onto(&mirror).stokes_at(0);
-            let [.., q0, u0, v0] = LAMP.polarised().through(&sheet).stokes_at(0);
+            let [i, q, u, v] = LAMP.polarized().through(&sheet).onto(&mirror).stokes_at(0);
+            let [.., q0, u0, v0] = LAMP.polarized().through(&sheet).stokes_at(0);
             for (got, exact) in [(i, 0.02), (q, 0.04 * q0), (u, 0.04 * u0), (v, v0)] {
                 assert!((got - exact).abs() < 1e-8, "{axis} {eta}: {got} {exact}");
             }
@@ -233,7 +233,7 @@ fn at_right_angles_the_plane_of_incidence_does_not_matter() {
 #[test]
 fn no_surface_and_light_from_behind_reflect_nothing_and_nan_stays() {
     let sees = |eta: f32, cos: f32| {
-        let [i, ..] = LAMP.polarised().onto(&Mirror::dielectric(&[eta], cos, 0.1)).stokes_at(0);
+        let [i, ..] = LAMP.polarized().onto(&Mirror::dielectric(&[eta], cos, 0.1)).stokes_at(0);
         i
     };
     for cos in [0.0, 1e-3, 0.5, 1.0, -0.1] {
@@ -248,22 +248,22 @@ fn no_surface_and_light_from_behind_reflect_nothing_and_nan_stays() {
         for cos in
             [0.0, 1e-45, 1e-20, 1e-5, 0.5, 1.0f32.next_down(), 1.0, 1.0f32.next_up(), 1e20, f32::INFINITY]
         {
-            let light = LAMP.polarised().onto(&Mirror::dielectric(&[eta], cos, 0.0)).stokes_at(0);
+            let light = LAMP.polarized().onto(&Mirror::dielectric(&[eta], cos, 0.0)).stokes_at(0);
             assert!(is_light(light, 1e-7) && light[0] <= 1.0, "{eta} {cos}: {light:?}");
         }
     }
     for (eta, cos) in [(f32::NAN, 0.5), (1.5, f32::NAN), (1.0, f32::NAN), (0.0, f32::NAN)] {
         assert!(sees(eta, cos).is_nan(), "{eta} {cos}");
     }
-    assert!(LAMP.polarised().stokes_at(1)[0].is_nan(), "there is no second bin");
+    assert!(LAMP.polarized().stokes_at(1)[0].is_nan(), "there is no second bin");
 }
 
 /// Q and V behind a plate at 45 degrees to a sheet, in every bin, beside their means over it.
 fn plates_in_bins<const N: usize>(what: &'static str, width: f64) {
-    let (lamp, sheet, mut check) = (Light::<N>::flat(1.0), Polariser::ideal(0.0), check(what));
+    let (lamp, sheet, mut check) = (Light::<N>::flat(1.0), Polarizer::ideal(0.0), check(what));
     for path_nm in [0.0f32, 137.5, 550.0, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6, -2e4] {
         let plate = Retarder::of_path_difference(path_nm, 0.125);
-        let light = lamp.polarised().through(&sheet).through(&plate);
+        let light = lamp.polarized().through(&sheet).through(&plate);
         for k in 0..N {
             let [i, q, u, v] = light.stokes_at(k);
             let mean = |f: fn(f64) -> f64| {
@@ -288,22 +288,22 @@ fn a_plate_of_one_path_difference_is_its_mean_over_each_bin() {
     plates_in_bins::<16>("plates in 16 bins", 350.0 / 16.0);
     // 137.5 nm are a quarter wave at 550 nm, but for what the bin of 10 nm is wide.
     let plate = Retarder::<1, Bins<545, 555>>::of_path_difference(137.5, 0.125);
-    let (lamp, sheet) = (Light::<1, Bins<545, 555>>::flat(1.0), Polariser::ideal(0.0));
-    let light = lamp.polarised().through(&sheet).through(&plate);
+    let (lamp, sheet) = (Light::<1, Bins<545, 555>>::flat(1.0), Polarizer::ideal(0.0));
+    let light = lamp.polarized().through(&sheet).through(&plate);
     let [_, q, _, v] = light.stokes_at(0);
     assert!(q.abs() < 1e-4 && (v - 0.5).abs() < 1e-4, "{q} {v}");
 }
 
-/// Colours of high order are white.
+/// Colors of high order are white.
 #[test]
 fn a_thick_plate_between_crossed_sheets_passes_a_quarter() {
     let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
-    let (sun, first, second) = (Light::<31>::flat(1.0), Polariser::ideal(0.0), Polariser::ideal(0.25));
+    let (sun, first, second) = (Light::<31>::flat(1.0), Polarizer::ideal(0.0), Polarizer::ideal(0.25));
     let [_, white, _] = eye.sees(&sun);
     for path_nm in [3e4, 1e5, 1e6, 1e9, f32::MAX] {
         let plate = Retarder::of_path_difference(path_nm, 0.125);
-        let light = sun.polarised().through(&first).through(&plate).through(&second);
-        let [_, y, _] = eye.sees(light.ignoring_polarisation());
+        let light = sun.polarized().through(&first).through(&plate).through(&second);
+        let [_, y, _] = eye.sees(light.ignoring_polarization());
         assert!((y / white - 0.25).abs() < 0.01, "{path_nm}: {}", y / white);
     }
 }
@@ -322,11 +322,11 @@ fn a_plate_on_a_grid_from_zero_is_light() {
 fn no_axis_is_too_large_and_no_transmittance_too_small() {
     let lamp = [1.0, 0.6, 0.0, 0.8];
     for axis in [f32::MAX, f32::MIN, 1e30, 8_388_608.0] {
-        let level = Polariser::<1, One>::ideal(0.0).mueller().turn(0, lamp);
-        assert_eq!(Polariser::<1, One>::ideal(axis).mueller().turn(0, lamp), level, "{axis}: whole turns");
+        let level = Polarizer::<1, One>::ideal(0.0).mueller().turn(0, lamp);
+        assert_eq!(Polarizer::<1, One>::ideal(axis).mueller().turn(0, lamp), level, "{axis}: whole turns");
     }
     let flat = Reflectance::<1, One>::flat;
-    let sheet = |along: f32, across: f32| Polariser::new(&flat(along), &flat(across), 0.0);
+    let sheet = |along: f32, across: f32| Polarizer::new(&flat(along), &flat(across), 0.0);
     assert_eq!(sheet(-0.1, 0.5), sheet(0.0, 0.5));
     assert_eq!(sheet(0.5, -0.1), sheet(0.5, 0.0));
     for same in [1e-30f32, 1e-20, 1e-10, 1.0, 1e20, 1e38, f32::MAX] {
@@ -351,20 +351,20 @@ fn no_metal_reflects_more_than_all() {
 }
 
 #[test]
-fn a_plain_eye_folds_what_polarises_too() {
+fn a_plain_eye_folds_what_polarizes_too() {
     let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
-    let (lake, sheet) = (Mirror::dielectric(&[1.33; 31], 0.6, 0.0), Polariser::ideal(0.1));
+    let (lake, sheet) = (Mirror::dielectric(&[1.33; 31], 0.6, 0.0), Polarizer::ideal(0.1));
     let plate = Retarder::flat(0.2, 0.3);
-    assert_eq!(eye.looking_at_mirror(&lake), eye.polarised().looking_at_mirror(&lake));
-    assert_eq!(eye.through_polariser(&sheet), eye.polarised().through_polariser(&sheet));
-    assert_eq!(eye.through_retarder(&plate), eye.polarised().through_retarder(&plate));
+    assert_eq!(eye.looking_at_mirror(&lake), eye.polarized().looking_at_mirror(&lake));
+    assert_eq!(eye.through_polarizer(&sheet), eye.polarized().through_polarizer(&sheet));
+    assert_eq!(eye.through_retarder(&plate), eye.polarized().through_retarder(&plate));
 }
 
-/// What can stand in the path of polarised light, as data.
+/// What can stand in the path of polarized light, as data.
 #[derive(Clone, Copy, Debug)]
 enum Part {
     Mirror { eta: f32, cos: f32, axis: f32 },
-    Polariser { along: f32, across: f32, axis: f32 },
+    Polarizer { along: f32, across: f32, axis: f32 },
     Retarder { retardance: f32, axis: f32 },
 }
 
@@ -372,7 +372,7 @@ fn part() -> impl Strategy<Value = Part> {
     let axis = || -1.0f32..1.0;
     prop_oneof![
         (0.3f32..3.0, 0.0f32..1.0, axis()).prop_map(|(eta, cos, axis)| Part::Mirror { eta, cos, axis }),
-        (0.0f32..1.0, 0.0f32..1.0, axis()).prop_map(|(along, across, axis)| Part::Polariser {
+        (0.0f32..1.0, 0.0f32..1.0, axis()).prop_map(|(along, across, axis)| Part::Polarizer {
             along,
             across,
             axis
@@ -387,9 +387,9 @@ impl Part {
             Part::Mirror { eta, cos, axis } => {
                 Mirror::<1, One>::dielectric(&[eta], cos, axis).mueller().turn(0, light)
             }
-            Part::Polariser { along, across, axis } => {
+            Part::Polarizer { along, across, axis } => {
                 let [along, across] = [along, across].map(Reflectance::<1, One>::flat);
-                Polariser::new(&along, &across, axis).mueller().turn(0, light)
+                Polarizer::new(&along, &across, axis).mueller().turn(0, light)
             }
             Part::Retarder { retardance, axis } => {
                 Retarder::<1, One>::flat(retardance, axis).mueller().turn(0, light)
@@ -403,7 +403,7 @@ impl Part {
                 let (s, p) = fresnel(eta.into(), f64::from(cos).acos().to_degrees());
                 element(s, p, axis.into())
             }
-            Part::Polariser { along, across, axis } => {
+            Part::Polarizer { along, across, axis } => {
                 element((f64::from(along).sqrt(), 0.0), (f64::from(across).sqrt(), 0.0), axis.into())
             }
             Part::Retarder { retardance, axis } => {
@@ -414,7 +414,7 @@ impl Part {
     }
 }
 
-/// Whether no more of the light is polarised than there is, but for rounding: a share of the light that came in, since
+/// Whether no more of the light is polarized than there is, but for rounding: a share of the light that came in, since
 /// next to extinction what is left is a difference.
 fn is_light([i, q, u, v]: [f32; 4], rounding: f64) -> bool {
     let [i, q, u, v] = [i, q, u, v].map(f64::from);
@@ -451,22 +451,22 @@ proptest! {
     }
 
     #[test]
-    fn folding_what_polarises_is_walking_through_it(
+    fn folding_what_polarizes_is_walking_through_it(
         eta in 1.1f32..2.5, cos in 0.05f32..1.0, axis in 0.0f32..1.0, sheet in 0.0f32..1.0, plate in 50.0f32..900.0,
         values in prop::collection::vec(0.05f32..1.0, 31),
     ) {
         let mut glass = Reflectance::<31>::flat(0.0);
         glass.values_mut().copy_from_slice(&values);
         let lamp = Light::<31>::flat(1.0);
-        let (lake, sheet) = (Mirror::dielectric(&[eta; 31], cos, axis), Polariser::ideal(sheet));
+        let (lake, sheet) = (Mirror::dielectric(&[eta; 31], cos, axis), Polarizer::ideal(sheet));
         let plate = Retarder::of_path_difference(plate, 0.1);
         let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
-        let path = lamp.polarised().onto(&lake).through(&plate).through(&glass).through(&sheet);
-        let walked = eye.sees(path.ignoring_polarisation());
-        let behind = eye.polarised().through_polariser(&sheet).through(&glass).through_retarder(&plate);
-        let folded = behind.looking_at_mirror(&lake).unpolarised_light().sees(&lamp);
+        let path = lamp.polarized().onto(&lake).through(&plate).through(&glass).through(&sheet);
+        let walked = eye.sees(path.ignoring_polarization());
+        let behind = eye.polarized().through_polarizer(&sheet).through(&glass).through_retarder(&plate);
+        let folded = behind.looking_at_mirror(&lake).unpolarized_light().sees(&lamp);
         // Next to extinction the difference of two roundings is left: of what the mirror reflects.
-        let all = eye.through(&lake.ignoring_polarisation()).sees(&lamp);
+        let all = eye.through(&lake.ignoring_polarization()).sees(&lamp);
         for ((walked, folded), all) in walked.into_iter().zip(folded).zip(all) {
             prop_assert!((walked - folded).abs() <= 4e-7 * all, "{walked} {folded} of {all}");
         }
@@ -476,13 +476,13 @@ proptest! {
 /// The largest error over a lattice of elements, against naive matrices.
 #[test]
 fn elements_are_their_matrices_to_rounding() {
-    let mut check: Check = check("polarised light against matrices of 4 by 4");
+    let mut check: Check = check("polarized light against matrices of 4 by 4");
     for axis in 0..12 {
         for size in 0..10 {
             let (axis, size) = (axis as f32 / 12.0, size as f32 / 10.0);
             let parts = [
                 Part::Mirror { eta: 1.5, cos: 0.05 + 0.9 * size, axis },
-                Part::Polariser { along: 0.9, across: size * 0.8, axis },
+                Part::Polarizer { along: 0.9, across: size * 0.8, axis },
                 Part::Retarder { retardance: size, axis },
             ];
             for part in parts {

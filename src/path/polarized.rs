@@ -1,13 +1,13 @@
 //! Light as Stokes vectors.
 
-use crate::matter::{Mirror, Mueller, Polariser, Retarder};
+use crate::matter::{Mirror, Mueller, Polarizer, Retarder};
 use crate::observer::Path;
 use crate::path::{Effects, Filter, Plain, Price, Priced, Surface, Times};
 use crate::spectrum::{Factor, Power, Spectrum};
 
 /// A path of Stokes vectors, in `N` bins of the grid `G`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no path of polarised light in {N} bins of `{G}`",
+    message = "`{Self}` is no path of polarized light in {N} bins of `{G}`",
     note = "all stages lie on one grid"
 )]
 pub trait StokesPath<const N: usize, G> {
@@ -24,14 +24,14 @@ pub trait StokesPath<const N: usize, G> {
     }
 }
 
-/// Light whose polarisation is known: what mirrors, polarisers and retarders need.
+/// Light whose polarization is known: what mirrors, polarizers and retarders need.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not polarised light in {N} bins of `{G}`",
-    label = "needs polarised light",
-    note = "write `light.polarised()` first, where the light is still unpolarised",
-    note = "or leave the effect out by name: `.onto(&mirror.ignoring_polarisation())`"
+    message = "`{Self}` is not polarized light in {N} bins of `{G}`",
+    label = "needs polarized light",
+    note = "write `light.polarized()` first, where the light is still unpolarized",
+    note = "or leave the effect out by name: `.onto(&mirror.ignoring_polarization())`"
 )]
-pub trait Polarised<const N: usize, G> {
+pub trait Polarized<const N: usize, G> {
     /// The path of Stokes vectors.
     type Light: StokesPath<N, G>;
 
@@ -39,7 +39,7 @@ pub trait Polarised<const N: usize, G> {
     fn into_stokes(self) -> Self::Light;
 }
 
-impl<P: StokesPath<N, G>, const N: usize, G> Polarised<N, G> for Stokes<P> {
+impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
     type Light = P;
 
     #[inline]
@@ -58,12 +58,12 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarised<N, G> for Stokes<P> {
 ///
 /// # Accuracy
 /// 3e-7 of the light that meets it, for each element; I is at least the root of Q^2 + U^2 + V^2 to within that
-/// (`tests/matter/polarisation.rs`). Next to extinction, where a difference is left, that is more of what is left.
+/// (`tests/matter/polarization.rs`). Next to extinction, where a difference is left, that is more of what is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Stokes<P>(P);
 
 impl<P> Stokes<P> {
-    /// Light by way of `path`: to begin with something other than unpolarised light.
+    /// Light by way of `path`: to begin with something other than unpolarized light.
     #[must_use]
     #[inline]
     pub const fn new(path: P) -> Self {
@@ -77,7 +77,7 @@ impl<P> Stokes<P> {
         self.0
     }
 
-    /// This light behind a filter. Coloured glass dims I, Q, U and V alike.
+    /// This light behind a filter. Colored glass dims I, Q, U and V alike.
     #[must_use]
     #[inline]
     pub fn through<F: Filter<Self>>(self, filter: F) -> F::Leaving {
@@ -91,11 +91,11 @@ impl<P> Stokes<P> {
         surface.reflect(self)
     }
 
-    /// The intensity alone: what an eye or a sensor reads, and the point from which polarisation costs nothing any
-    /// more. What comes after it treats the light as unpolarised.
+    /// The intensity alone: what an eye or a sensor reads, and the point from which polarization costs nothing any
+    /// more. What comes after it treats the light as unpolarized.
     #[must_use]
     #[inline]
-    pub fn ignoring_polarisation(self) -> Plain<Power, Intensity<P>> {
+    pub fn ignoring_polarization(self) -> Plain<Power, Intensity<P>> {
         Plain::new(Intensity(self.0))
     }
 
@@ -122,14 +122,14 @@ impl<P> Stokes<P> {
     /// `cargo build` that says so).
     ///
     /// ```
-    /// # use nanospectra::{Light, matter::Polariser};
-    /// # let (sun, sheet) = (Light::<31>::flat(1.0), Polariser::ideal(0.0));
-    /// let path = sun.polarised().through(&sheet).within::<{ 4 * 31 }>();
+    /// # use nanospectra::{Light, matter::Polarizer};
+    /// # let (sun, sheet) = (Light::<31>::flat(1.0), Polarizer::ideal(0.0));
+    /// let path = sun.polarized().through(&sheet).within::<{ 4 * 31 }>();
     /// ```
     /// ```compile_fail,E0080
-    /// # use nanospectra::{Light, matter::Polariser};
-    /// # let (sun, sheet) = (Light::<31>::flat(1.0), Polariser::ideal(0.0));
-    /// let path = sun.polarised().through(&sheet).within::<{ 4 * 31 - 1 }>();
+    /// # use nanospectra::{Light, matter::Polarizer};
+    /// # let (sun, sheet) = (Light::<31>::flat(1.0), Polarizer::ideal(0.0));
+    /// let path = sun.polarized().through(&sheet).within::<{ 4 * 31 - 1 }>();
     /// ```
     #[must_use]
     #[inline]
@@ -147,7 +147,7 @@ impl<P: Priced> Priced for Stokes<P> {
     const AGAIN: usize = P::AGAIN;
 }
 
-/// Unpolarised light as Stokes vectors: I, 0, 0, 0.
+/// Unpolarized light as Stokes vectors: I, 0, 0, 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Natural<P>(P);
 
@@ -159,7 +159,7 @@ impl<P> Natural<P> {
 }
 
 impl<P: Priced> Priced for Natural<P> {
-    const PRICE: Price = P::PRICE.plus(Price { effects: Effects::POLARISATION, ..Price::NONE });
+    const PRICE: Price = P::PRICE.plus(Price { effects: Effects::POLARIZATION, ..Price::NONE });
     const AGAIN: usize = P::AGAIN;
 }
 
@@ -197,7 +197,7 @@ impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Dimmed<L, &Spe
     }
 }
 
-/// Coloured glass: it dims all polarisations alike.
+/// Colored glass: it dims all polarizations alike.
 impl<'m, P: StokesPath<N, G>, const N: usize, G> Filter<Stokes<P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Stokes<Dimmed<P, &'m Spectrum<Factor, N, G>>>;
 
@@ -207,13 +207,13 @@ impl<'m, P: StokesPath<N, G>, const N: usize, G> Filter<Stokes<P>> for &'m Spect
     }
 }
 
-/// A matt surface: what it scatters back has forgotten how it was polarised.
+/// A matt surface: what it scatters back has forgotten how it was polarized.
 impl<'m, P: StokesPath<N, G>, const N: usize, G> Surface<Stokes<P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Plain<Power, Times<Intensity<P>, &'m Spectrum<Factor, N, G>>>;
 
     #[inline]
     fn reflect(self, light: Stokes<P>) -> Self::Leaving {
-        self.reflect(light.ignoring_polarisation())
+        self.reflect(light.ignoring_polarization())
     }
 }
 
@@ -236,7 +236,7 @@ impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Turned<L, &Mue
     }
 }
 
-impl<'m, L: Polarised<N, G>, const N: usize, G> Surface<L> for &'m Mirror<N, G> {
+impl<'m, L: Polarized<N, G>, const N: usize, G> Surface<L> for &'m Mirror<N, G> {
     type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
 
     #[inline]
@@ -245,7 +245,7 @@ impl<'m, L: Polarised<N, G>, const N: usize, G> Surface<L> for &'m Mirror<N, G> 
     }
 }
 
-impl<'m, L: Polarised<N, G>, const N: usize, G> Filter<L> for &'m Polariser<N, G> {
+impl<'m, L: Polarized<N, G>, const N: usize, G> Filter<L> for &'m Polarizer<N, G> {
     type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
 
     #[inline]
@@ -254,7 +254,7 @@ impl<'m, L: Polarised<N, G>, const N: usize, G> Filter<L> for &'m Polariser<N, G
     }
 }
 
-impl<'m, L: Polarised<N, G>, const N: usize, G> Filter<L> for &'m Retarder<N, G> {
+impl<'m, L: Polarized<N, G>, const N: usize, G> Filter<L> for &'m Retarder<N, G> {
     type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
 
     #[inline]

@@ -1,4 +1,4 @@
-//! The solid angle of a disc from anywhere: a short sum, or near the rim an elliptic integral.
+//! The solid angle of a disk from anywhere: a short sum, or near the rim an elliptic integral.
 
 use crate::geometry::vec3::to_unity;
 use crate::math::sqrt;
@@ -16,9 +16,9 @@ const COSINES: [f32; 8] = [
     0.098_017_14,
 ];
 
-/// A disc seen from a point at a distance from its plane, and `offset_m` beside its axis.
+/// A disk seen from a point at a distance from its plane, and `offset_m` beside its axis.
 ///
-/// In its plane it is what it is just above: 2 pi over the disc, pi on the rim, nothing outside.
+/// In its plane it is what it is just above: 2 pi over the disk, pi on the rim, nothing outside.
 ///
 /// # Accuracy
 /// 6e-7, relative.
@@ -32,13 +32,13 @@ const COSINES: [f32; 8] = [
 /// integral by Bulirsch 1969.
 ///
 /// ```
-/// use nanospectra::radiometry::solid_angle::{disc, disc_off_axis};
-/// assert!((disc_off_axis(1.0, 2.0, 0.0) - disc(1.0, 2.0)).abs() < 1e-6);
+/// use nanospectra::radiometry::solid_angle::{disk, disk_off_axis};
+/// assert!((disk_off_axis(1.0, 2.0, 0.0) - disk(1.0, 2.0)).abs() < 1e-6);
 /// // Half a radius above the rim.
-/// assert!((disc_off_axis(1.0, 0.5, 1.0) - 1.768_723).abs() < 1e-6);
+/// assert!((disk_off_axis(1.0, 0.5, 1.0) - 1.768_723).abs() < 1e-6);
 /// ```
 #[must_use]
-pub fn disc_off_axis(radius_m: f32, distance_m: f32, offset_m: f32) -> f32 {
+pub fn disk_off_axis(radius_m: f32, distance_m: f32, offset_m: f32) -> f32 {
     let k = to_unity([radius_m, distance_m, offset_m]);
     let [r, h, offset] = [radius_m, distance_m, offset_m].map(|x| (x * k).abs());
     let (inside, across) = (r - offset, r + offset);
@@ -58,9 +58,9 @@ pub fn disc_off_axis(radius_m: f32, distance_m: f32, offset_m: f32) -> f32 {
             r * lever / (slant * (slant + h))
         })
     } else {
-        // The angle about the centre, times the integral along that radius.
-        let (nearest, centre) = (near * near, h * h + offset * offset);
-        let axis = sqrt(centre);
+        // The angle about the center, times the integral along that radius.
+        let (nearest, center) = (near * near, h * h + offset * offset);
+        let axis = sqrt(center);
         let toward = h * h - offset * inside;
         around(|cos| {
             let slant = sqrt(nearest + 2.0 * offset * r * (1.0 - cos));

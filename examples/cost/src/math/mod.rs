@@ -1,4 +1,4 @@
-//! The elementary functions, and what is made of them in colour, by every backend.
+//! The elementary functions, and what is made of them in color, by every backend.
 
 mod backends;
 mod composites;

@@ -1,9 +1,9 @@
-//! What colour makes of the functions, and by how much the colour is off.
+//! What color makes of the functions, and by how much the color is off.
 
 use super::backends::{Math, error_of, of_each};
 use crate::cells::{in_order, priced, with_price};
 use crate::clock::nanoseconds;
-use crate::nanometres::{Lit, NODES, for_y_100, nm, world};
+use crate::nanometers::{Lit, NODES, for_y_100, nm, world};
 use crate::report::{Cell, Column, Table};
 use model::cct::cct_codata;
 use model::chromaticity::uv1960;
@@ -31,10 +31,10 @@ pub fn table(runs: usize) -> Table {
         Column::figure("max_error", "largest error"),
     ]);
     Table {
-        id: "maths-composites",
-        title: "What the functions do to colour".into(),
+        id: "math-composites",
+        title: "What the functions do to color".into(),
         about: "Against f64. A black body: the CCT of 1 nm sums over it, 1000..50 000 K. Lab: the samples under all \
-                lamps. CIEDE2000: between neighbours of these. sRGB: signals of 0..1, in 8-bit codes before they are \
+                lamps. CIEDE2000: between neighbors of these. sRGB: signals of 0..1, in 8-bit codes before they are \
                 rounded. Fresnel: dielectrics of index 1.1 to 4 at cosines of 1/64 to 1; it takes square roots \
                 only, and those of the core."
             .into(),
@@ -55,7 +55,7 @@ const NAMES: [(&str, &str, &str); 4] = [
 fn on_record(word: &str, backend: &str) -> String {
     match (word, backend) {
         ("ciede2000", "Portable") => word.to_owned(),
-        _ => format!("maths-{word}-{}", backend.to_lowercase()),
+        _ => format!("math-{word}-{}", backend.to_lowercase()),
     }
 }
 
@@ -151,16 +151,16 @@ fn fresnel(runs: usize) -> Vec<Cell> {
         (11..=40u8).map(move |tenths| {
             let eta = f32::from(tenths) / 10.0;
             let (s, p) = reflectances([eta.into(), 0.0], cos.into());
-            let got = Dielectric::new(eta).fresnel(cos).unpolarised();
+            let got = Dielectric::new(eta).fresnel(cos).unpolarized();
             (f64::from(got) / (0.5 * (s + p)) - 1.0).abs()
         })
     });
-    let time = nanoseconds(runs, || Dielectric::new(black_box(1.5)).fresnel(black_box(0.6)).unpolarised());
+    let time = nanoseconds(runs, || Dielectric::new(black_box(1.5)).fresnel(black_box(0.6)).unpolarized());
     let row = vec![
         Cell::key("reflectance by Fresnel"),
         Cell::key("any"),
         Cell::key("shares of it"),
         Cell::figure(largest(errors)),
     ];
-    priced(row, "maths-fresnel", time)
+    priced(row, "math-fresnel", time)
 }

@@ -1,0 +1,124 @@
+//! An observer that asks how light is polarized: what folds mirrors, polarizers and retarders.
+
+use crate::grid::{Bins, by_fields};
+use crate::matter::{Mirror, Mueller, Polarizer, Retarder};
+use crate::observer::Observer;
+use crate::spectrum::{Factor, Spectrum};
+use core::marker::PhantomData;
+
+/// An observer behind matter that polarizes: for each channel and bin one weight for each of I, Q, U and V.
+///
+/// From [`Observer::polarized`] back along the path, to the point where the light is unpolarized:
+/// [`unpolarized_light`](Self::unpolarized_light) makes it an [`Observer`] again, and polarization costs nothing.
+pub struct PolarizedObserver<const C: usize, const N: usize, Q = Factor, G = Bins<380, 730>>(
+    [[[f32; 4]; N]; C],
+    PhantomData<(Q, G)>,
+);
+
+by_fields!([const C: usize, const N: usize, Q, G] PolarizedObserver<C, N, Q, G>, "PolarizedObserver": 0);
+
+impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
+    /// Starts folding polarizing elements in front of this observer, which itself responds equally to all polarizations.
+    #[must_use]
+    pub const fn polarized(&self) -> PolarizedObserver<C, N, Q, G> {
+        let mut weights = [[[0.0; 4]; N]; C];
+        let mut c = 0;
+        while c < C {
+            let mut k = 0;
+            while k < N {
+                weights[c][k][0] = self.0[c][k];
+                k += 1;
+            }
+            c += 1;
+        }
+        PolarizedObserver(weights, PhantomData)
+    }
+
+    /// This observer behind a polarizer: asked how the light is polarized from there on.
+    #[must_use]
+    pub const fn through_polarizer(&self, polarizer: &Polarizer<N, G>) -> PolarizedObserver<C, N, Q, G> {
+        self.polarized().through_polarizer(polarizer)
+    }
+
+    /// This observer behind a retarder. A retarder alone changes no reading; between polarizers or mirrors it does.
+    #[must_use]
+    pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> PolarizedObserver<C, N, Q, G> {
+        self.polarized().through_retarder(retarder)
+    }
+
+    /// This observer looking into a mirror: asked how the light is polarized from there on.
+    #[must_use]
+    pub const fn looking_at_mirror(&self, mirror: &Mirror<N, G>) -> PolarizedObserver<C, N, Q, G> {
+        self.polarized().looking_at_mirror(mirror)
+    }
+}
+
+impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
+    /// Behind a polarizer.
+    #[must_use]
+    pub const fn through_polarizer(&self, polarizer: &Polarizer<N, G>) -> Self {
+        self.behind(polarizer.mueller())
+    }
+
+    /// Behind a retarder.
+    #[must_use]
+    pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> Self {
+        self.behind(retarder.mueller())
+    }
+
+    /// Looking into a mirror.
+    #[must_use]
+    pub const fn looking_at_mirror(&self, mirror: &Mirror<N, G>) -> Self {
+        self.behind(mirror.mueller())
+    }
+
+    /// Behind colored glass, which dims I, Q, U and V alike.
+    #[must_use]
+    pub const fn through(&self, filter: &Spectrum<Factor, N, G>) -> Self {
+        let mut weights = self.0;
+        let mut c = 0;
+        while c < C {
+            let mut k = 0;
+            while k < N {
+                let mut i = 0;
+                while i < 4 {
+                    weights[c][k][i] *= filter.0[k];
+                    i += 1;
+                }
+                k += 1;
+            }
+            c += 1;
+        }
+        PolarizedObserver(weights, PhantomData)
+    }
+
+    /// Looking at what sends or scatters unpolarized light (a lamp, a matt surface): an [`Observer`] again.
+    #[must_use]
+    pub const fn unpolarized_light(&self) -> Observer<C, N, Q, G> {
+        let mut weights = [[0.0; N]; C];
+        let mut c = 0;
+        while c < C {
+            let mut k = 0;
+            while k < N {
+                weights[c][k] = self.0[c][k][0];
+                k += 1;
+            }
+            c += 1;
+        }
+        Observer::unchecked(weights)
+    }
+
+    const fn behind(&self, element: &Mueller<N, G>) -> Self {
+        let mut weights = self.0;
+        let mut c = 0;
+        while c < C {
+            let mut k = 0;
+            while k < N {
+                weights[c][k] = element.fold(k, weights[c][k]);
+                k += 1;
+            }
+            c += 1;
+        }
+        PolarizedObserver(weights, PhantomData)
+    }
+}
