@@ -1,7 +1,7 @@
 //! Chromatic adaptation: what a color seen under one white corresponds to under another.
 
-use super::Xyz;
-use super::matrix::{Matrix, apply, apply64, inverse64, product64, rounded, scale_columns64};
+use crate::color::Xyz;
+use crate::color::matrix::{Matrix, apply, apply64, inverse64, product64, rounded, scale_columns64};
 
 /// The cone responses an adaptation scales one by one, as von Kries proposed.
 pub trait Cones: Copy + 'static {

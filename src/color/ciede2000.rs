@@ -1,9 +1,9 @@
 //! CIEDE2000.
 
-use super::Lab;
+use crate::color::Lab;
 #[cfg(feature = "libm")]
-use super::Xyz;
-use super::difference::{Polar, polar};
+use crate::color::Xyz;
+use crate::color::difference::{Polar, polar};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Math, cos_turns, sin_turns, sqrt};

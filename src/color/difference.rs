@@ -1,6 +1,6 @@
 //! Color differences in CIELAB that need no more than a square root.
 
-use super::Lab;
+use crate::color::Lab;
 use crate::math::sqrt;
 
 /// What two colors differ by in chroma and hue.

@@ -1,7 +1,7 @@
 //! What to do with a color the display cannot show. There is no best way; each says what it
 //! keeps.
 
-use super::{Rgb, RgbSpace};
+use crate::color::{Rgb, RgbSpace};
 
 /// A color brought into the gamut.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@
 use crate::math::Portable;
 use crate::math::{Math, cbrt, cos_turns, sin_turns, sqrt};
 
-use super::Xyz;
+use crate::color::Xyz;
 
 /// Where the cube root takes over from the straight line: (6/29)^3.
 const KNEE: f32 = 216.0 / 24389.0;

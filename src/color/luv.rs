@@ -1,7 +1,7 @@
 //! CIELUV.
 
-use super::Xyz;
-use super::lab::{lightness, luminance};
+use crate::color::Xyz;
+use crate::color::lab::{lightness, luminance};
 
 /// A color in CIE 1976 L\*u\*v\* (CIELUV), relative to a white that goes without saying.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

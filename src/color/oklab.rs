@@ -1,7 +1,7 @@
 //! Oklab, the perceptual space of image processing.
 
-use super::Xyz;
-use super::matrix::{Matrix, Matrix64, apply, inverse64, rounded};
+use crate::color::Xyz;
+use crate::color::matrix::{Matrix, Matrix64, apply, inverse64, rounded};
 use crate::math::cbrt;
 
 /// XYZ (D65, Y = 1) to the cone responses of Oklab.

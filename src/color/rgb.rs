@@ -2,9 +2,9 @@
 
 use core::marker::PhantomData;
 
-use super::matrix::apply;
-use super::transfer::{self, Transfer};
-use super::{RgbSpace, Xyz};
+use crate::color::matrix::apply;
+use crate::color::transfer::{self, Transfer};
+use crate::color::{RgbSpace, Xyz};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
@@ -51,7 +51,7 @@ impl<S: RgbSpace> Rgb<S> {
     }
 
     /// The amounts of the primaries for a color with **Y = 1 for white**; no adaptation, so the
-    /// color is one seen under the white of the space (see [`Adaptation`](super::Adaptation)).
+    /// color is one seen under the white of the space (see [`Adaptation`](crate::color::Adaptation)).
     ///
     /// NaN stays NaN; components beyond 1e37 in size overflow.
     ///

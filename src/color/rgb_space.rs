@@ -2,9 +2,9 @@
 
 use core::fmt::Debug;
 
-use super::Xyz;
-use super::matrix::{apply64, inverse64, rounded, scale_columns64};
-use super::transfer::{self, Transfer};
+use crate::color::Xyz;
+use crate::color::matrix::{apply64, inverse64, rounded, scale_columns64};
+use crate::color::transfer::{self, Transfer};
 
 /// What defines an RGB space: three primaries, a white, and the usual transfer function.
 ///

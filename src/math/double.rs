@@ -1,8 +1,8 @@
 //! Numbers of 48 bits as the sum of two f32: for the phase of light in a film of 400 000 wavelengths, of which only
 //! the fraction of a turn is seen.
 
-use super::sqrt;
-use super::turns::fraction;
+use crate::math::sqrt;
+use crate::math::turns::fraction;
 
 /// `high + low`, where `low` is below half a unit in the last place of `high`.
 #[derive(Clone, Copy)]

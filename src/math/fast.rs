@@ -1,6 +1,6 @@
 //! Own kernels in f32 without tables: the backend that needs no feature.
 
-use super::{Math, cos_turns, sin_turns, sqrt};
+use crate::math::{Math, cos_turns, sin_turns, sqrt};
 use core::f32::consts::{FRAC_PI_2, LN_2, LOG2_E, PI};
 
 /// Own f32 kernels, for a core that pays for every instruction; available without any feature, and the same

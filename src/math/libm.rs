@@ -1,6 +1,6 @@
 //! Backends on the `libm` crate: [`Portable`], the default, and [`Libm`], the reference.
 
-use super::{Math, cbrt, sqrt};
+use crate::math::{Math, cbrt, sqrt};
 
 /// The default backend: the same bits on every target, and no soft f64 on a core that has an
 /// FPU for f32 only.
@@ -37,10 +37,10 @@ impl Math for Portable {
         libm::atan2f(y, x)
     }
     fn cos_turns(turns: f32) -> f32 {
-        super::turns::cos(turns)
+        crate::math::turns::cos(turns)
     }
     fn sin_turns(turns: f32) -> f32 {
-        super::turns::sin(turns)
+        crate::math::turns::sin(turns)
     }
 }
 

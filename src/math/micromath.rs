@@ -1,6 +1,6 @@
 //! The `micromath` crate as a backend: small, known, and here as the yardstick.
 
-use super::Math;
+use crate::math::Math;
 use micromath::F32Ext;
 
 /// `micromath`'s approximations.

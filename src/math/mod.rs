@@ -6,10 +6,12 @@
 //! half the instructions; features only make more backends available, and no feature changes a number.
 
 mod backend;
+mod complex;
 mod double;
 mod fast;
 #[cfg(feature = "libm")]
 mod libm;
+mod limits;
 #[cfg(feature = "micromath")]
 mod micromath;
 mod roots;
@@ -21,8 +23,10 @@ mod turns;
 mod vsqrt;
 
 pub use backend::Math;
+pub use complex::Complex;
 pub(crate) use double::Double;
 pub use fast::Fast;
+pub(crate) use limits::{at_least, at_most};
 pub(crate) use roots::sqrt_by_digits;
 pub use roots::{cbrt, sqrt};
 pub use turns::{cos as cos_turns, sin as sin_turns};

@@ -2,7 +2,7 @@
 //! without the soft f64 that `libm::cbrtf` needs on a Cortex-M4F (1620 instructions there).
 
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
-use super::vsqrt::sqrt as quickest_sqrt;
+use crate::math::vsqrt::sqrt as quickest_sqrt;
 #[cfg(all(
     feature = "libm",
     not(target_arch = "wasm32"),

@@ -1,7 +1,7 @@
 //! The platform's own functions: fast on a host, but not the same bits on every one. (The feature
 //! `std` is empty where there is no std.)
 
-use super::{Math, cos_turns, sin_turns};
+use crate::math::{Math, cos_turns, sin_turns};
 
 extern crate std;
 

@@ -1,6 +1,6 @@
 //! Which exposure to take next.
 
-use super::{Count, Exposure};
+use crate::sensor::{Count, Exposure};
 
 /// A channel that has just saturated would still count this much after the step down: enough to predict from it.
 const AFTER_SATURATION: f32 = 64.0;

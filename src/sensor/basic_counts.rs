@@ -20,7 +20,7 @@ impl<const C: usize> BasicCounts<C> {
     }
 
     /// Each channel times its factor. What is the same for every reading is better folded into the
-    /// [`Calibration`](super::Calibration).
+    /// [`Calibration`](crate::sensor::Calibration).
     #[must_use]
     pub fn scaled(mut self, factors: &[f32; C]) -> Self {
         for (value, factor) in self.0.iter_mut().zip(factors) {

@@ -1,12 +1,12 @@
 //! The matrix that turns basic counts into what is asked for.
 
-use super::{BasicCounts, Unusable};
 use crate::color::Xyz;
+use crate::sensor::{BasicCounts, Unusable};
 
 /// `D` sums over `C` channels: counts to XYZ (`D` = 3), to illuminance or PPFD alone (`D` = 1), to anything linear.
 ///
-/// It comes from measured patches ([`Fit`](super::Fit)), from a reconstruction seen by an eye
-/// ([`Reconstruction::seen_by`](super::Reconstruction::seen_by)), or from the maker's application note
+/// It comes from measured patches ([`Fit`](crate::sensor::Fit)), from a reconstruction seen by an eye
+/// ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's application note
 /// ([`from_rows`](Self::from_rows)). What is linear and constant in front of it folds in, while compiling:
 /// [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
 /// [`without_crosstalk`](Self::without_crosstalk).

@@ -1,7 +1,7 @@
 //! What a chip counts in the dark.
 
-use super::Exposure;
 use crate::math::Math;
+use crate::sensor::Exposure;
 
 /// Dark counts of each channel: an offset of the converter, and a dark current that grows with time, gain and
 /// temperature.

@@ -1,6 +1,6 @@
 //! How long and how strongly amplified a chip counted, and where its counts end.
 
-use super::{BasicCounts, Channels, Count, Unusable};
+use crate::sensor::{BasicCounts, Channels, Count, Unusable};
 
 /// Gain, integration time and the range of trustworthy counts that goes with them.
 ///
@@ -142,7 +142,7 @@ impl Exposure {
     }
 
     /// The same above a dark level of each channel, in counts of this exposure: a frame taken in the dark, or
-    /// [`Dark::levels`](super::Dark::levels).
+    /// [`Dark::levels`](crate::sensor::Dark::levels).
     ///
     /// A channel below its dark level becomes negative and stays so: cutting it off would brighten dark averages.
     ///

@@ -1,9 +1,9 @@
 //! Calibration by measured patches: the matrix from counts to XYZ that is least wrong on them.
 
-use super::qr::{Triangle, condition, forward};
-use super::vector::{dot, largest, norm, sqrt};
-use super::{BasicCounts, Calibration};
 use crate::color::Xyz;
+use crate::sensor::qr::{Triangle, condition, forward};
+use crate::sensor::vector::{dot, largest, norm, sqrt};
+use crate::sensor::{BasicCounts, Calibration};
 use core::fmt;
 
 /// Least squares from counts to XYZ (or to any `D` numbers), fed patch by patch without storing the patches:

@@ -4,8 +4,8 @@
 //! the time has them. It runs over a whole number of periods of the flicker, counted from the first reading; the
 //! last reading counts in part if that is where the last period ends.
 
-use super::Exposure;
 use crate::math::{cos_turns, sin_turns, sqrt};
+use crate::sensor::Exposure;
 
 /// The frequencies of lamps on mains of 50 and of 60 Hz: twice those of the mains.
 pub const MAINS_FLICKER_HZ: [f32; 2] = [100.0, 120.0];

@@ -1,8 +1,8 @@
 //! An exposure, a dark level and a calibration in one: raw counts to color in one pass.
 
-use super::calibration::positive;
-use super::{Calibration, Count, Exposure, Unusable};
 use crate::color::Xyz;
+use crate::sensor::calibration::positive;
+use crate::sensor::{Calibration, Count, Exposure, Unusable};
 
 /// What is fixed about a light meter, folded: with the exposure in the weights and the dark level in the sums they
 /// start from, a count is converted, checked and weighted, and that is all.

@@ -1,8 +1,8 @@
 //! How far a reading may be off by chance, carried through to X, Y, Z, color temperature and Duv.
 
-use super::{BasicCounts, Calibration, Count, Exposure};
 use crate::color::{Cct, Uv1960, Xyz};
 use crate::math::sqrt;
+use crate::sensor::{BasicCounts, Calibration, Count, Exposure};
 
 /// How noisy the counts of a chip are. Neither number is in most data sheets: repeat a reading of a steady lamp,
 /// and one in the dark, and fit the variances.

@@ -3,9 +3,9 @@
 //! Each is 1 at its peak. Real peaks lie 5 to 10 nm beside the nominal ones (users have measured 410, 440, 470,
 //! 510, 550, 583, 620 and 670 nm for the AS7341), real curves are no Gaussians, and every channel leaks a little
 //! infrared. They serve for simulation, for tests and for a first look; a measured table ([`responsivities`]) or
-//! measured patches ([`Fit`](super::Fit)) make an instrument.
+//! measured patches ([`Fit`](crate::sensor::Fit)) make an instrument.
 //!
-//! [`responsivities`]: super::responsivities
+//! [`responsivities`]: crate::sensor::responsivities
 
 use crate::grid::{Grid, Nodes};
 use crate::observer::{FineObserver, Observer};

@@ -1,18 +1,18 @@
 //! A spectrum that is nowhere negative.
 
-use super::qr::{Triangle, damped_inverse};
-use super::vector::{largest, norm};
-use super::{BasicCounts, FitError};
 use crate::grid::Grid;
 use crate::observer::Observer;
+use crate::sensor::qr::{Triangle, damped_inverse};
+use crate::sensor::vector::{largest, norm};
+use crate::sensor::{BasicCounts, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::sum;
 
 /// The spectrum without negative bins that explains the counts best: the least of |what the sensor would count
 /// - the counts|^2 + alpha * (mean signal of the channels)^2 * |spectrum|^2.
 ///
-/// Where a [`Reconstruction`](super::Reconstruction) swings below zero beside a line or a narrow LED, this one
-/// is 0. It costs a search each time; `alpha` is as there, [`ALPHA`](super::ALPHA) or more. Counts below zero
+/// Where a [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED, this one
+/// is 0. It costs a search each time; `alpha` is as there, [`ALPHA`](crate::sensor::ALPHA) or more. Counts below zero
 /// are noise, and no light explains them: they pull the spectrum to 0.
 ///
 /// ```

@@ -1,12 +1,12 @@
 //! What spectra are usually like: how their bins vary together.
 
-use super::vector::{largest, sqrt};
 use crate::grid::Grid;
+use crate::sensor::vector::{largest, sqrt};
 use crate::spectrum::Light;
 
 /// How the bins of these lights vary together, each light scaled to a mean of 1: the mean of their products.
 /// Their common shape is part of it, so a reconstruction needs no mean spectrum beside it. For
-/// [`Reconstruction::wiener`](super::Reconstruction::wiener).
+/// [`Reconstruction::wiener`](crate::sensor::Reconstruction::wiener).
 ///
 /// A light whose bins sum to zero or less is left out; without lights all is 0.
 #[must_use]

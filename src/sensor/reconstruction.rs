@@ -1,12 +1,12 @@
 //! From a few counts to a spectrum: the likeliest one, as a matrix.
 
-use super::fit::usable;
-use super::prior::semidefinite_root;
-use super::qr::{condition, damped_inverse};
-use super::vector::{dot, largest, less, norm, sqrt};
-use super::{BasicCounts, Calibration, FitError};
 use crate::grid::Grid;
 use crate::observer::Observer;
+use crate::sensor::fit::usable;
+use crate::sensor::prior::semidefinite_root;
+use crate::sensor::qr::{condition, damped_inverse};
+use crate::sensor::vector::{dot, largest, less, norm, sqrt};
+use crate::sensor::{BasicCounts, Calibration, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::rows;
 use core::marker::PhantomData;
@@ -23,9 +23,9 @@ pub const ALPHA: f32 = 1e-2;
 ///
 /// Eight channels do not tell 31 bins; what is missing comes from what spectra are usually like: smooth
 /// ([`smooth`](Self::smooth)), or like a set of lamps ([`wiener`](Self::wiener) with
-/// [`covariance_of`](super::covariance_of)). If only color is asked for, let an eye look at it while
+/// [`covariance_of`](crate::sensor::covariance_of)). If only color is asked for, let an eye look at it while
 /// compiling ([`seen_by`](Self::seen_by)). All of it supposes that the responsivities are those of the very
-/// chip; if they are not known, measure patches and use [`Fit`](super::Fit).
+/// chip; if they are not known, measure patches and use [`Fit`](crate::sensor::Fit).
 ///
 /// ```
 /// use nanospectra::sensor::{ALPHA, Calibration, Reconstruction, nominal};
@@ -117,7 +117,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     }
 
     /// For spectra whose bins vary together as `covariance` says (symmetric):
-    /// [`covariance_of`](super::covariance_of) lamps, or anything computed; what it says to be a negative
+    /// [`covariance_of`](crate::sensor::covariance_of) lamps, or anything computed; what it says to be a negative
     /// variance counts as none.
     ///
     /// # Errors
@@ -189,7 +189,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     }
 
     /// The likeliest spectrum for these counts, power per nm in the unit of the sensor's responsivities. It may
-    /// be negative in places: [`nonnegative_spectrum`](super::nonnegative_spectrum) is not.
+    /// be negative in places: [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is not.
     ///
     /// # Accuracy
     /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.

@@ -1,8 +1,8 @@
 //! Responsivities from a table, read while compiling.
 
-use super::decimal::decimal;
 use crate::grid::{Grid, Layout};
 use crate::observer::Observer;
+use crate::sensor::decimal::decimal;
 use crate::spectrum::Power;
 use ResponsivityProblem as Problem;
 use core::fmt;

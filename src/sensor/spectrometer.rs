@@ -1,7 +1,7 @@
 //! Mini-spectrometers: from pixels to bins.
 
-use super::Count;
 use crate::grid::Grid;
+use crate::sensor::Count;
 use crate::spectrum::{PerBin, Spectrum};
 use core::fmt;
 use core::ops::Range;
@@ -151,7 +151,7 @@ impl<const P: usize, const K: usize> Wavelengths<P, K> {
 /// empty or beyond the last pixel.
 ///
 /// The same number is taken off every pixel; what differs from pixel to pixel needs a dark frame
-/// ([`Exposure::basic_counts_above`](super::Exposure::basic_counts_above)).
+/// ([`Exposure::basic_counts_above`](crate::sensor::Exposure::basic_counts_above)).
 ///
 /// ```
 /// # use nanospectra::sensor::above_dark_pixels;

@@ -62,8 +62,8 @@ impl<const CAP: usize> Window<CAP> {
         self.0.back().copied()
     }
 
-    /// The readings, oldest first: for [`Flicker::of`](super::Flicker::of) and
-    /// [`mean_over_periods`](super::mean_over_periods).
+    /// The readings, oldest first: for [`Flicker::of`](crate::sensor::Flicker::of) and
+    /// [`mean_over_periods`](crate::sensor::mean_over_periods).
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = &f32> + Clone {
         let (older, newer) = self.0.as_slices();
         older.iter().chain(newer)

@@ -5,7 +5,7 @@
 //! found by timing (three rows over N = 8..701, x86-64): the final reduction out of line, the
 //! rest after whole eights filled up with zeros, rows zipped inside the loop over the spectrum.
 
-use super::reduce;
+use crate::sum::reduce;
 
 /// All rows against one spectrum: in one pass while the lanes of all rows fit the 16 registers of a
 /// baseline x86-64, else row by row.

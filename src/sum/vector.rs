@@ -1,6 +1,6 @@
 //! Explicit vectors (the `wide` crate), all rows in one pass over the spectrum.
 
-use super::reduce;
+use crate::sum::reduce;
 use wide::f32x8;
 
 /// All rows against one spectrum; each lane does what a lane of the other kernels does.

@@ -64,5 +64,5 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
     for (lane, (a, b)) in lanes.iter_mut().zip(a_rest.iter().zip(b_rest)) {
         *lane += a * b;
     }
-    super::reduce(&lanes)
+    crate::sum::reduce(&lanes)
 }

@@ -115,7 +115,7 @@ fn rest<const N: usize>(values: &[f32; N]) -> Eight {
     Eight::new([at(0), at(1), at(2), at(3), at(4), at(5), at(6), 0.0])
 }
 
-/// What the lanes of four come to, in the order of [`reduce`](super::reduce).
+/// What the lanes of four come to, in the order of [`reduce`](crate::sum::reduce).
 #[inline(always)]
 fn sums(lanes: [Eight; 4]) -> [f32; 4] {
     let [a, b, c, d] = lanes.map(Eight::halves_added);

@@ -1,11 +1,11 @@
 //! Three fixed spectra, mixed in proportion: the fastest way, and the only linear one.
 
-use super::tables::BASIS;
-use super::viewing::Viewing;
 use crate::color::matrix::{Matrix64, inverse64, product64};
 use crate::color::{Rgb, RgbSpace, Srgb};
 use crate::grid::{Bins, Grid, Nodes};
 use crate::spectrum::{Factor, Interpolation, Outside, Spectrum};
+use crate::upsample::tables::BASIS;
+use crate::upsample::viewing::Viewing;
 use core::marker::PhantomData;
 
 /// Upsampling as r R + g G + b B with three spectra that sum to 1.

@@ -1,8 +1,8 @@
 //! What a solved curve stands for: a reflectance, an unbounded quantity, a light.
 
-use super::shape::Shape;
 use crate::grid::Grid;
 use crate::spectrum::{Factor, Power, Spectrum};
+use crate::upsample::shape::Shape;
 
 /// A reflectance 0..=1: scale times a curve, or 1 minus that. Four numbers and a bit, 16 bytes as a texel.
 ///
@@ -112,7 +112,7 @@ impl SigmoidUnbounded {
 
 impl SigmoidIlluminant {
     /// The light on a grid, as bright for RGB (1, 1, 1) as `white`, which is the light of the
-    /// [`Viewing`](super::Viewing) that was solved for.
+    /// [`Viewing`](crate::upsample::Viewing) that was solved for.
     #[must_use]
     #[inline]
     pub fn on_grid<const N: usize, G: Grid>(self, white: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {

@@ -5,9 +5,9 @@
 //! in order, one accumulator each, so a color alone, in a batch and on any core adds up to the same bits;
 //! what is done at once is the twelve of them, or several colors.
 
-use super::rsqrt::{rsqrt, rsqrt_near, unsigmoid};
-use super::shape::sigmoid;
-use super::start::StartMap;
+use crate::upsample::rsqrt::{rsqrt, rsqrt_near, unsigmoid};
+use crate::upsample::shape::sigmoid;
+use crate::upsample::start::StartMap;
 
 /// For each bin the weight of the three responses, and x.
 pub(super) type Rows<const N: usize> = [[f32; 4]; N];

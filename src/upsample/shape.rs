@@ -1,7 +1,7 @@
 //! sigma(q0 x^2 + q1 x + q2): three numbers that are a curve over the wavelength.
 
-use super::rsqrt::rsqrt;
 use crate::grid::{Grid, Layout};
+use crate::upsample::rsqrt::rsqrt;
 
 /// A smooth curve within 0..=1: the sigmoid of a quadratic in the wavelength.
 ///

@@ -1,15 +1,15 @@
 //! The solver: from an RGB to the sigmoid that has it.
 
-use super::meaning::{SigmoidIlluminant, SigmoidReflectance, SigmoidUnbounded};
-use super::newton::{self, Found, Rows};
-use super::shape::{Shape, X};
-use super::start::{Cubic, StartMap};
-use super::status::{Miss, Solved, Status};
-use super::tables::RESPONSES;
-use super::viewing::Viewing;
 use crate::color::matrix::{Matrix64, apply, inverse64, product64, rounded};
 use crate::color::{Rgb, RgbSpace, Srgb, Xyz};
 use crate::grid::{Bins, Grid};
+use crate::upsample::meaning::{SigmoidIlluminant, SigmoidReflectance, SigmoidUnbounded};
+use crate::upsample::newton::{self, Found, Rows};
+use crate::upsample::shape::{Shape, X};
+use crate::upsample::start::{Cubic, StartMap};
+use crate::upsample::status::{Miss, Solved, Status};
+use crate::upsample::tables::RESPONSES;
+use crate::upsample::viewing::Viewing;
 use core::marker::PhantomData;
 
 /// Upsampling by a sigmoid of a quadratic: smooth, within 0..=1, and exact on the grid it is made for.

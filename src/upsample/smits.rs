@@ -1,9 +1,9 @@
 //! The classic: seven curves, and a color as white plus what it has more of.
 
-use super::tables::SMITS;
 use crate::color::Rgb;
 use crate::grid::{Bins, Grid, Layout};
 use crate::spectrum::{Factor, Spectrum};
+use crate::upsample::tables::SMITS;
 use core::marker::PhantomData;
 
 /// Upsampling after Smits: the least component times white, what the next one has more times cyan, magenta
@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 /// # Accuracy
 /// It does not give the color back, not even to 8 bits: 0.9 CIEDE2000 in the mean and up to 2.1 under
 /// D65. What it is for a color at hand is
-/// [`Viewing::delta_e`](super::Viewing::delta_e). Values reach 1.015, and a gray ripples by 8e-4.
+/// [`Viewing::delta_e`](crate::upsample::Viewing::delta_e). Values reach 1.015, and a gray ripples by 8e-4.
 ///
 /// # Cost
 /// 28 N bytes.

@@ -4,8 +4,8 @@
 //! stored. The polynomial is in v = u / m with m = sqrt(1 + mean u^2), and its value is taken times m: towards
 //! black and white the curve grows in proportion.
 
-use super::rsqrt::rsqrt;
-use super::tables::{START_CUBIC, START_LINEAR, START_QUINTIC};
+use crate::upsample::rsqrt::rsqrt;
+use crate::upsample::tables::{START_CUBIC, START_LINEAR, START_QUINTIC};
 
 /// Which start map: [`Linear`], [`Cubic`] (the default) or [`Quintic`]. More bytes, fewer steps; the
 /// result is the same to within rounding.

@@ -93,3 +93,19 @@ fn an_arrow_back_is_found() {
         );
     }
 }
+
+/// Code names other modules from the crate's root, so that it reads the same wherever its file lies. (Modules within a
+/// file, for tests and for sealing traits, call their file `super`.)
+#[test]
+fn paths_begin_at_the_crate() {
+    for (file, text) in texts() {
+        let mut within = false;
+        for line in text.lines() {
+            within = (within || (line.starts_with("mod ") && line.ends_with('{'))) && line != "}";
+            assert!(
+                within || !line.contains("super::"),
+                "{file}: write `crate::` and the whole path in {line}"
+            );
+        }
+    }
+}

@@ -6,7 +6,7 @@ use crate::path::{Effects, Price, Priced, price_of};
 use crate::spectrum::{Factor, Spectrum};
 use core::marker::PhantomData;
 
-/// What light can meet in a [`Scene`](super::Scene), by reference.
+/// What light can meet in a [`Scene`](crate::path::scene::Scene), by reference.
 ///
 /// All but the first two come [from a reference](IntoPart), so `scene.push(&vest)` is enough. A spectrum of factors has
 /// to say which it is: light behind a filter stays polarized, light off a matt surface does not.
@@ -128,7 +128,7 @@ impl<'a, const N: usize, const P: usize, G> From<&'a Donaldson<N, P, G>> for Par
     }
 }
 
-/// What can be pushed into a [`Scene`](super::Scene): a [`Part`], or a reference that says which it is.
+/// What can be pushed into a [`Scene`](crate::path::scene::Scene): a [`Part`], or a reference that says which it is.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what it is in a scene of {N} bins of `{G}`",
     label = "no part of a scene",

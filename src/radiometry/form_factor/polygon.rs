@@ -1,10 +1,10 @@
 //! A polygon from a point, at any tilt, cut off at the point's horizon: Lambert's formula.
 
-use super::quadrature;
 use crate::geometry::vec3::{cross, difference, dot, length, scaled, sum, to_unity, unit};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::radiometry::form_factor::quadrature;
 use crate::radiometry::relations::{in_front, ratio};
 use core::f32::consts::FRAC_1_PI;
 

@@ -1,11 +1,11 @@
 //! Rectangles to each other: opposite ones, and ones that meet at an edge.
 
-use super::quadrature::unit_interval;
 use crate::geometry::vec3::to_unity;
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::sqrt;
+use crate::radiometry::form_factor::quadrature::unit_interval;
 use crate::radiometry::relations::ratio;
 use core::f32::consts::FRAC_1_PI;
 

@@ -4,7 +4,7 @@
 //! divides the locus; what is missing is a parabola that depends on the distance. So one division and a dozen
 //! products replace the Newton step of the floats, at 0.1 mired.
 
-use super::xyz::quotient;
+use crate::sensor::fixed::xyz::quotient;
 
 include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
 

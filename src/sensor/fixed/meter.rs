@@ -1,6 +1,6 @@
 //! Counts of a chip to XYZ in integers.
 
-use super::FixedXyz;
+use crate::sensor::fixed::FixedXyz;
 use crate::sensor::{Calibration, Channels, Exposure, Unusable};
 
 /// [`Meter`](crate::sensor::Meter) in integers: exposure, dark level and calibration in weights of 31 bits.

@@ -1,7 +1,7 @@
 //! Tristimulus values in integers.
 
-use super::FixedCct;
 use crate::color::Xyz;
+use crate::sensor::fixed::FixedCct;
 
 /// X, Y and Z as integers in a common unit, a power of two of the calibration's: below 2^31 in size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

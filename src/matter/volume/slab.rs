@@ -3,9 +3,9 @@
 use crate::grid::{Bins, Grid, by_fields};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::math::at_most;
 use crate::math::{Math, sqrt};
-use crate::matter::absorption::depth;
-use crate::matter::fresnel::at_most;
+use crate::matter::volume::absorption::depth;
 use crate::matter::{Absorber, AbsorberError, Dielectric, Shares};
 use crate::spectrum::{Factor, Index, Spectrum};
 

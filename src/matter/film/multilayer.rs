@@ -1,13 +1,13 @@
 //! Stacks of layers, absorbing ones too: mirrors of many films, metal on glass, oxide on silicon.
 
-use super::complex::Complex;
-use super::thin_film::held;
 use crate::grid::Grid;
+use crate::math::Complex;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Double, Math};
 use crate::matter::Shares;
-use crate::matter::shares::bins;
+use crate::matter::film::shares::bins;
+use crate::matter::film::thin_film::held;
 use crate::spectrum::{Factor, Spectrum};
 
 /// A medium at one wavelength: its complex index of refraction n + ik, where k >= 0 absorbs.

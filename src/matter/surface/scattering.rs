@@ -1,7 +1,7 @@
 //! The scattering equation, the reflectances that are integrals of it, and checks of a BRDF.
 
 use crate::geometry::{Direction, Hemisphere, Integrand, Total};
-use crate::matter::brdf::Brdf;
+use crate::matter::surface::brdf::Brdf;
 use core::f32::consts::FRAC_1_PI;
 use core::ops::Mul;
 

@@ -5,7 +5,7 @@ use crate::grid::{Bins, Grid};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Math, sqrt};
-use crate::matter::diffuse_fresnel::{
+use crate::matter::volume::diffuse_fresnel::{
     external_reflectance, fresnel, internal_reflectance, internal_reflectance_fit, is_denser,
 };
 use crate::spectrum::{Factor, Reflectance, Spectrum};

@@ -3,8 +3,8 @@
 use crate::geometry::{Direction, Integrand};
 use crate::grid::Grid;
 use crate::math::{Fast, Math};
-use crate::matter::brdf::{Brdf, visible};
-use crate::matter::fresnel::{at_least, at_most};
+use crate::math::{at_least, at_most};
+use crate::matter::surface::brdf::{Brdf, visible};
 use crate::spectrum::Spectrum;
 use core::f32::consts::FRAC_1_PI;
 

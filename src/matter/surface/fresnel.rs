@@ -1,7 +1,7 @@
 //! What a smooth boundary reflects and lets in: Fresnel's equations for one wavelength.
 
-use crate::math::sqrt;
-use crate::matter::complex::Complex;
+use crate::math::Complex;
+use crate::math::{at_least, at_most, sqrt};
 
 /// One number for each plane of polarization.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,7 +120,7 @@ impl Dielectric {
     }
 
     /// The cosine of the angle of refraction, 0..=1; 0 beyond the critical angle.
-    pub(super) fn cos_refracted(&self, cos_i: f32) -> f32 {
+    pub(crate) fn cos_refracted(&self, cos_i: f32) -> f32 {
         let Setup { eta, scale, root2, .. } = Setup::of(self.eta, cos_i);
         if root2 <= 0.0 { 0.0 } else { at_most(sqrt(root2) / (eta * scale), 1.0) }
     }
@@ -363,14 +363,4 @@ fn scale(index: f32) -> f32 {
 /// A cosine of incidence within 0..=1; NaN stays.
 pub(crate) fn cosine(cos_i: f32) -> f32 {
     at_most(at_least(cos_i, 0.0), 1.0)
-}
-
-/// `x`, or `floor` if it is less; NaN stays.
-pub(crate) fn at_least(x: f32, floor: f32) -> f32 {
-    if x < floor { floor } else { x }
-}
-
-/// `x`, or `ceiling` if it is more; NaN stays.
-pub(crate) fn at_most(x: f32, ceiling: f32) -> f32 {
-    if x > ceiling { ceiling } else { x }
 }

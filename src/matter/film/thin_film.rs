@@ -1,12 +1,12 @@
 //! A transparent layer thin enough for colors: soap, oil on water, the coating of a lens.
 
-use super::airy::{Edge, Tilted};
 use crate::grid::Grid;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Double, Math};
 use crate::matter::Shares;
-use crate::matter::shares::bins;
+use crate::matter::film::airy::{Edge, Tilted};
+use crate::matter::film::shares::bins;
 use crate::spectrum::{Factor, Spectrum};
 
 /// The indices of refraction around and in a film: three constants, or a function of the wavelength in nm.

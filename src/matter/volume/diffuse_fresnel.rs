@@ -1,7 +1,7 @@
 //! What a smooth surface reflects of light that comes from all sides.
 
-use super::Dielectric;
 use crate::geometry::gauss_legendre::nodes_and_weights;
+use crate::matter::Dielectric;
 
 /// Cosines and weights: 8 points on 0..=1.
 static COSINES: [(f32, f32); 8] = nodes_and_weights();

@@ -1,11 +1,11 @@
 //! Rough mirrors: facets of Trowbridge and Reitz's distribution (GGX).
 
 use crate::geometry::{Direction, Integrand, gauss_legendre};
+use crate::math::{at_least, at_most};
 use crate::math::{cos_turns, sin_turns, sqrt};
-use crate::matter::brdf::{Brdf, visible};
-use crate::matter::fresnel::{at_least, at_most};
-use crate::matter::reflector::Reflector;
-use crate::matter::scattering::Quadrature;
+use crate::matter::surface::brdf::{Brdf, visible};
+use crate::matter::surface::reflector::Reflector;
+use crate::matter::surface::scattering::Quadrature;
 use core::f32::consts::FRAC_1_PI;
 
 /// How the normals of a rough surface are distributed, after Trowbridge and Reitz (1975); also called GGX.

@@ -2,7 +2,7 @@
 
 use crate::geometry::Integrand;
 use crate::grid::Grid;
-use crate::matter::fresnel::{Conductor, Dielectric};
+use crate::matter::surface::fresnel::{Conductor, Dielectric};
 use crate::spectrum::{Factor, Index, Spectrum};
 
 /// The share of unpolarized light that a smooth boundary reflects at a cosine of incidence.

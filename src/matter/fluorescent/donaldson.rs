@@ -1,8 +1,8 @@
 //! Fluorescent matter of any kind, by its bispectral matrix.
 
-use super::Dye;
-use super::fluorescence::{FluorescenceError, ROUNDING, wavelength};
 use crate::grid::{Bins, Grid, by_fields};
+use crate::matter::fluorescent::Dye;
+use crate::matter::fluorescent::dye::{FluorescenceError, ROUNDING, wavelength};
 use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Spectrum};
 use core::marker::PhantomData;

@@ -12,7 +12,7 @@ use core::marker::PhantomData;
 /// excited (Kasha's and Vavilov's rules).
 ///
 /// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`: two numbers more
-/// than a surface has for each bin, where the full [`Donaldson`](super::Donaldson) matrix has `N / 2`. What the dye emits at shorter
+/// than a surface has for each bin, where the full [`Donaldson`](crate::matter::fluorescent::Donaldson) matrix has `N / 2`. What the dye emits at shorter
 /// waves than it absorbs is not left out: that costs 0.08 CIEDE2000 against the matrix for the vest below.
 ///
 /// ```

@@ -1,9 +1,9 @@
 //! Mirrors: smooth boundaries as surfaces.
 
 use crate::geometry::{Direction, Integrand};
-use crate::matter::brdf::Brdf;
-use crate::matter::reflector::Reflector;
-use crate::matter::scattering::Quadrature;
+use crate::matter::surface::brdf::Brdf;
+use crate::matter::surface::reflector::Reflector;
+use crate::matter::surface::scattering::Quadrature;
 
 /// A smooth surface: a mirror of metal, the face of a glass.
 ///
