@@ -10,7 +10,7 @@ use nanospectra::color::{EncodedRgb, Rgb, Srgb};
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, StartMap, Viewing,
+    Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, StartMap, Viewing,
 };
 use nanospectra::{Bins, Curve, Fine, Grid, Interpolation, Nodes, Outside, Power, Reflectance};
 use rgb2spec::optimize::{gamut::Gamut, optimize};
@@ -111,11 +111,11 @@ fn peer(c: &mut Criterion) {
 
 fn main() {
     let mut c = Criterion::default().configure_from_args();
-    solver::<31, Nodes<400, 700>, Cubic>(&mut c, "cubic");
-    solver::<31, Nodes<400, 700>, Linear>(&mut c, "linear");
-    solver::<31, Nodes<400, 700>, Quintic>(&mut c, "quintic");
-    solver::<60, Bins<400, 700>, Cubic>(&mut c, "cubic");
-    solver::<81, Nodes<380, 780>, Cubic>(&mut c, "cubic");
+    solver::<31, Nodes<400, 700>, CubicStart>(&mut c, "cubic");
+    solver::<31, Nodes<400, 700>, LinearStart>(&mut c, "linear");
+    solver::<31, Nodes<400, 700>, QuinticStart>(&mut c, "quintic");
+    solver::<60, Bins<400, 700>, CubicStart>(&mut c, "cubic");
+    solver::<81, Nodes<380, 780>, CubicStart>(&mut c, "cubic");
     reading::<31, Nodes<400, 700>>(&mut c);
     reading::<81, Nodes<380, 780>>(&mut c);
     linear_methods(&mut c);

@@ -30,7 +30,7 @@
 //!
 //! | method | data, bytes | exact | within 0..=1 | linear | shape |
 //! |---|---|---|---|---|---|
-//! | [`Sigmoid`] | 16 N + 204 with [`Cubic`] | every color that a sigmoid can have | always | in exposure | smoothest |
+//! | [`Sigmoid`] | 16 N + 204 with [`CubicStart`] | every color that a sigmoid can have | always | in exposure | smoothest |
 //! | [`Basis`] | 8 N | always | for sRGB | yes | three broad bands |
 //! | [`Smits`] | 28 N | no: 0.9 CIEDE2000 in the mean | up to 1.015 | in pieces | ten steps |
 //!
@@ -83,6 +83,6 @@ pub use metamer::CohenR;
 pub use shape::Shape;
 pub use sigmoid::Sigmoid;
 pub use smits::{Smits, SmitsBins};
-pub use start::{Cubic, Linear, Quintic, StartMap};
+pub use start::{CubicStart, LinearStart, QuinticStart, StartMap};
 pub use status::{Miss, Solved, Status};
 pub use viewing::Viewing;

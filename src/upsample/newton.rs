@@ -63,7 +63,7 @@ pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     let u = responses.map(unsigmoid);
     let mut q = M::start(u);
     for _ in 0..STEPS {
-        let step = step(&one(rows, q), u);
+        let step = step(&sums(rows, q), u);
         for (q, step) in q.iter_mut().zip(step.q) {
             *q += step;
         }
@@ -98,7 +98,7 @@ pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     }
     let mut open = [1.0f32; L];
     for _ in 0..STEPS {
-        let [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]] = &some(rows, &q);
+        let [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]] = &sums_of_lanes(rows, &q);
         let ([u0, u1, u2], [q0, q1, q2]) = (&u, &mut q);
         for l in 0..L {
             let sums =
@@ -130,7 +130,7 @@ fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
     let (u, mut q) = (goal(asked), [0.0; 3]);
     let steps = if possible(asked) { DAMPED_STEPS } else { 0 };
     for _ in 0..steps {
-        let step = step(&one(rows, q), u);
+        let step = step(&sums(rows, q), u);
         let (length, longest) = (size(&step.q), LONGEST + 0.25 * size(&q));
         if !length.is_finite() {
             break;
@@ -181,7 +181,7 @@ fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
     for _ in 0..NEAREST_STEPS {
         // The normal equations, with the slopes of the responses (twice: the halves are in the step).
         let ([mut aa, mut ab, mut ac, mut bb, mut bc, mut cc], mut y) = ([0.0; 6], [0.0; 3]);
-        for (([_, a, b, c], left), weight) in one(rows, q).iter().zip(left).zip(weights) {
+        for (([_, a, b, c], left), weight) in sums(rows, q).iter().zip(left).zip(weights) {
             (aa, ab, ac) = (aa + weight * a * a, ab + weight * a * b, ac + weight * a * c);
             (bb, bc, cc) = (bb + weight * b * b, bc + weight * b * c, cc + weight * c * c);
             let back = -2.0 * weight * left;
@@ -254,7 +254,10 @@ fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32;
 /// The twelve sums of several colors. One loop over the lanes with all that is done for a bin in it: long enough
 /// for the compiler to make vectors of it, where loops of one operation each are unrolled to scalars first.
 #[inline(always)]
-fn some<const L: usize, const N: usize>(rows: &Rows<N>, [q0, q1, q2]: &[[f32; L]; 3]) -> [[[f32; L]; 4]; 3] {
+fn sums_of_lanes<const L: usize, const N: usize>(
+    rows: &Rows<N>,
+    [q0, q1, q2]: &[[f32; L]; 3],
+) -> [[[f32; L]; 4]; 3] {
     let mut sums = [[[0.0; L]; 4]; 3];
     let [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]] = &mut sums;
     for [w0, w1, w2, x] in rows {
@@ -284,8 +287,8 @@ fn some<const L: usize, const N: usize>(rows: &Rows<N>, [q0, q1, q2]: &[[f32; L]
 /// The twelve sums of one color, where there are no vectors.
 #[cfg(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128"))))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
-    some(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
+fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
+    sums_of_lanes(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
 }
 
 /// The twelve sums of one color. First every term, which goes several bins at a time; then the weights of a
@@ -293,7 +296,7 @@ fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
 #[cfg(not(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128")))))]
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn one<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
+fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     let mut terms = [[0.0; N]; 4];
     let [t0, t1, t2, t3] = &mut terms;
     let places = t0.iter_mut().zip(t1).zip(t2).zip(t3);

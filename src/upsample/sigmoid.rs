@@ -6,7 +6,7 @@ use crate::grid::{Bins, Grid};
 use crate::upsample::meaning::{SigmoidIlluminant, SigmoidReflectance, SigmoidUnbounded};
 use crate::upsample::newton::{self, Found, Rows};
 use crate::upsample::shape::{Shape, X};
-use crate::upsample::start::{Cubic, StartMap};
+use crate::upsample::start::{CubicStart, StartMap};
 use crate::upsample::status::{Miss, Solved, Status};
 use crate::upsample::tables::RESPONSES;
 use crate::upsample::viewing::Viewing;
@@ -26,7 +26,7 @@ use core::marker::PhantomData;
 ///
 /// # Accuracy
 /// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81 every one of the 2^24
-/// 8-bit sRGB colors comes back as its code, for the 2 degree eye, within 0.00042 (`Cubic`), 0.00035 (`Linear`) and 0.00034 CIEDE2000 (`Quintic`)
+/// 8-bit sRGB colors comes back as its code, for the 2 degree eye, within 0.00042 (`CubicStart`), 0.00035 (`LinearStart`) and 0.00034 CIEDE2000 (`QuinticStart`)
 /// (`tests/upsample/all.rs`). Of a 17^3 cube, encoded by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020
 /// 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4 % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values
 /// of BT.1886 74.6 %); the others are outside what sigmoids of a quadratic can be, and say so. With fewer than 31
@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 /// W. Jakob, J. Hanika, "A low-dimensional function space for efficient spectral upsampling", Computer
 /// Graphics Forum 38 (2019), for the family of curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = Cubic> {
+pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = CubicStart> {
     rows: Rows<N>,
     /// RGB to responses.
     response: [[f32; 3]; 3],
@@ -50,7 +50,7 @@ pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = Cubic> {
 }
 
 /// A color on its way to the solver.
-enum Task {
+enum Problem {
     /// Nothing to solve: a constant, and whether it is the color.
     Done(f32, bool),
     /// Solve for `responses`; the reflectance is `scale` times that, or 1 minus so much.
@@ -68,12 +68,12 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     ///
     /// ```
     /// use nanospectra::color::{DisplayP3, Rgb};
-    /// use nanospectra::upsample::{Quintic, Sigmoid, Status, Viewing};
+    /// use nanospectra::upsample::{QuinticStart, Sigmoid, Status, Viewing};
     /// use nanospectra::{Bins, Curve, Interpolation, Outside, light::D65, observer::CIE_1931};
     /// static VIEWING: Viewing<36, Bins<380, 730>, DisplayP3> = Viewing::new(
     ///     &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
     /// );
-    /// static SIGMOID: Sigmoid<36, Bins<380, 730>, DisplayP3, Quintic> = Sigmoid::new(&VIEWING);
+    /// static SIGMOID: Sigmoid<36, Bins<380, 730>, DisplayP3, QuinticStart> = Sigmoid::new(&VIEWING);
     /// assert_eq!(SIGMOID.reflectance(Rgb::new(0.9, 0.3, 0.2)).status, Status::Exact);
     /// // No paint is as green as the green of Display P3 at full drive; gray has a part in what comes nearest.
     /// let green = Rgb::new(0.0, 1.0, 0.0);
@@ -126,9 +126,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// programs that must be small. The same bits as [`reflectance`](Self::reflectance).
     #[must_use]
     pub fn solve(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
-        match self.task(rgb.to_array()) {
-            Task::Done(share, exact) => exact.then_some(SigmoidReflectance::gray(share)),
-            Task::Solve { responses, scale, complement } => {
+        match self.problem(rgb.to_array()) {
+            Problem::Done(share, exact) => exact.then_some(SigmoidReflectance::gray(share)),
+            Problem::Solve { responses, scale, complement } => {
                 let q = newton::exact::<N, M>(&self.rows, responses)?;
                 Some(SigmoidReflectance { shape: Shape { q }, scale, complement })
             }
@@ -140,8 +140,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// [`desaturated`](Self::desaturated); above 1 the hue turns, and [`unbounded`](Self::unbounded) is what to take.
     #[must_use]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
-        let task = self.task(rgb.to_array());
-        self.made(rgb, task, |responses| newton::solve::<N, M>(&self.rows, responses))
+        let problem = self.problem(rgb.to_array());
+        self.solved(rgb, problem, |responses| newton::solve::<N, M>(&self.rows, responses))
     }
 
     /// The reflectance of a color; what no sigmoid has is mixed with the gray of its luminance until one has
@@ -220,7 +220,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };
         let mut all = [nothing; 8];
         for (rgb, all) in rgb.as_chunks::<LANES>().0.iter().zip(all.as_chunks_mut::<LANES>().0) {
-            self.some(rgb, all);
+            self.solve_lanes(rgb, all);
         }
         all
     }
@@ -232,7 +232,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         let (whole, rest) = rgb.as_chunks::<LANES>();
         let (whole_spectra, rest_spectra) = spectra.as_chunks_mut::<LANES>();
         for (rgb, spectra) in whole.iter().zip(whole_spectra) {
-            self.some(rgb, spectra);
+            self.solve_lanes(rgb, spectra);
         }
         for (rgb, spectrum) in rest.iter().zip(rest_spectra) {
             *spectrum = self.reflectance(*rgb);
@@ -240,37 +240,37 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     }
 
     #[inline(never)]
-    fn some<const L: usize>(&self, rgb: &[Rgb<S>; L], all: &mut [Solved<SigmoidReflectance>; L]) {
-        let tasks = rgb.map(|rgb| self.task(rgb.to_array()));
+    fn solve_lanes<const L: usize>(&self, rgb: &[Rgb<S>; L], all: &mut [Solved<SigmoidReflectance>; L]) {
+        let problems = rgb.map(|rgb| self.problem(rgb.to_array()));
         let mut responses = [[0.5; 3]; L];
-        for (responses, task) in responses.iter_mut().zip(&tasks) {
-            if let Task::Solve { responses: asked, .. } = task {
+        for (responses, problem) in responses.iter_mut().zip(&problems) {
+            if let Problem::Solve { responses: asked, .. } = problem {
                 *responses = *asked;
             }
         }
         let found = newton::solve_some::<L, N, M>(&self.rows, &responses);
-        for (((rgb, solved), task), found) in rgb.iter().zip(all).zip(tasks).zip(found) {
-            *solved = self.made(*rgb, task, |_| found);
+        for (((rgb, solved), problem), found) in rgb.iter().zip(all).zip(problems).zip(found) {
+            *solved = self.solved(*rgb, problem, |_| found);
         }
     }
 
     /// What the solver has to do for a color. (Written without `f32::max`, which is a call on a Cortex-M4F.)
     #[inline(always)]
-    fn task(&self, rgb: [f32; 3]) -> Task {
+    fn problem(&self, rgb: [f32; 3]) -> Problem {
         let [r, g, b] = rgb;
         let (smallest, largest) = range(rgb);
         // Zero times an infinity is NaN too.
         if 0.0 * r + 0.0 * g + 0.0 * b != 0.0 {
-            return Task::Done(f32::NAN, false);
+            return Problem::Done(f32::NAN, false);
         }
         if largest <= 0.0 {
-            return Task::Done(0.0, smallest == 0.0);
+            return Problem::Done(0.0, smallest == 0.0);
         }
         if smallest >= 1.0 {
-            return Task::Done(1.0, largest == 1.0);
+            return Problem::Done(1.0, largest == 1.0);
         }
         if smallest == largest {
-            return Task::Done(r, true);
+            return Problem::Done(r, true);
         }
         // (c + offset) * sign / size: c or 1 - c, enlarged to a largest component of 1/2.
         let (offset, sign, scale) = if largest < 0.5 {
@@ -281,31 +281,31 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             (0.0, 1.0, 1.0)
         };
         let color = [(offset + sign * r) / scale, (offset + sign * g) / scale, (offset + sign * b) / scale];
-        Task::Solve { responses: apply(&self.response, color), scale, complement: sign < 0.0 }
+        Problem::Solve { responses: apply(&self.response, color), scale, complement: sign < 0.0 }
     }
 
-    /// From a task to its spectrum, with the curve as `solve` finds it.
+    /// From a problem to its spectrum, with the curve as `solve` finds it.
     #[inline(always)]
-    fn made(
+    fn solved(
         &self,
         asked: Rgb<S>,
-        task: Task,
+        problem: Problem,
         solve: impl FnOnce([f32; 3]) -> Found,
     ) -> Solved<SigmoidReflectance> {
-        let (responses, scale, complement) = match task {
-            Task::Done(share, exact) => return self.done(asked, share, exact),
-            Task::Solve { responses, scale, complement } => (responses, scale, complement),
+        let (responses, scale, complement) = match problem {
+            Problem::Done(share, exact) => return self.done(asked, share, exact),
+            Problem::Solve { responses, scale, complement } => (responses, scale, complement),
         };
         let (q, given) = solve(responses);
         let spectrum = SigmoidReflectance { shape: Shape { q }, scale, complement };
         let Some(given) = given else { return Solved { spectrum, status: Status::Exact } };
         let status = if complement {
             let miss = self.miss(asked, given.map(|a| 1.0 - scale * a));
-            judged(miss, miss)
+            status_of(miss, miss)
         } else {
             // Dark colors are judged as bright as can be: else any would do.
             let miss = self.miss(asked, given.map(|a| scale * a));
-            judged(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
+            status_of(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
         };
         Solved { spectrum, status }
     }
@@ -318,7 +318,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             Status::NotFinite
         } else {
             let miss = self.miss(asked, [share; 3]);
-            judged(miss, miss)
+            status_of(miss, miss)
         };
         Solved { spectrum: SigmoidReflectance::gray(share), status }
     }
@@ -343,7 +343,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
 
 /// Exact if nobody could tell, as `seen`, else how far off.
 #[inline(never)]
-fn judged(miss: Miss, seen: Miss) -> Status {
+fn status_of(miss: Miss, seen: Miss) -> Status {
     if seen.is_nothing() { Status::Exact } else { Status::Unreachable(miss) }
 }
 

@@ -7,7 +7,7 @@
 use crate::upsample::rsqrt::rsqrt;
 use crate::upsample::tables::{START_CUBIC, START_LINEAR, START_QUINTIC};
 
-/// Which start map: [`Linear`], [`Cubic`] (the default) or [`Quintic`]. More bytes, fewer steps; the
+/// Which start map: [`LinearStart`], [`CubicStart`] (the default) or [`QuinticStart`]. More bytes, fewer steps; the
 /// result is the same to within rounding.
 pub trait StartMap: Copy + core::fmt::Debug + Default + 'static + Start {
     /// Bytes of its constants.
@@ -16,21 +16,21 @@ pub trait StartMap: Copy + core::fmt::Debug + Default + 'static + Start {
 
 /// 36 bytes; at N = 31 5700 instructions a color on a Cortex-M4F in the mean, 9300 at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Linear;
+pub struct LinearStart;
 /// 156 bytes; 4500 instructions in the mean, 7900 at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cubic;
+pub struct CubicStart;
 /// 408 bytes; 4600 instructions in the mean, 7200 at most; the fastest where sums are slow: on hosts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Quintic;
+pub struct QuinticStart;
 
-impl StartMap for Linear {
+impl StartMap for LinearStart {
     const BYTES: usize = size_of_val(&START_LINEAR);
 }
-impl StartMap for Cubic {
+impl StartMap for CubicStart {
     const BYTES: usize = size_of_val(&START_CUBIC);
 }
-impl StartMap for Quintic {
+impl StartMap for QuinticStart {
     const BYTES: usize = size_of_val(&START_QUINTIC);
 }
 
@@ -40,7 +40,7 @@ pub trait Start {
     fn start(u: [f32; 3]) -> [f32; 3];
 }
 
-impl Start for Linear {
+impl Start for LinearStart {
     #[inline(always)]
     fn start(u: [f32; 3]) -> [f32; 3] {
         // Of degree 1: no need to divide by m and to multiply by it again.
@@ -48,7 +48,7 @@ impl Start for Linear {
     }
 }
 
-impl Start for Cubic {
+impl Start for CubicStart {
     #[inline(always)]
     fn start(u: [f32; 3]) -> [f32; 3] {
         static MAP: [[f32; 3]; 13] = START_CUBIC;
@@ -58,7 +58,7 @@ impl Start for Cubic {
     }
 }
 
-impl Start for Quintic {
+impl Start for QuinticStart {
     #[inline(always)]
     fn start(u: [f32; 3]) -> [f32; 3] {
         static MAP: [[f32; 3]; 34] = START_QUINTIC;

@@ -10,7 +10,7 @@ use model::lab::lab;
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Solved, StartMap, Status, Viewing,
+    CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Solved, StartMap, Status, Viewing,
 };
 use nanospectra::{Bins, Curve, Grid, Nodes};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -175,15 +175,15 @@ const QUINTIC: f64 = 0.00034;
 
 #[test]
 fn the_8_bit_colors_come_back_as_their_codes_with_the_cubic_map() {
-    every_grid::<Cubic>("cubic", CUBIC);
+    every_grid::<CubicStart>("cubic", CUBIC);
 }
 
 #[test]
 fn the_8_bit_colors_come_back_as_their_codes_with_the_linear_map() {
-    every_grid::<Linear>("linear", LINEAR);
+    every_grid::<LinearStart>("linear", LINEAR);
 }
 
 #[test]
 fn the_8_bit_colors_come_back_as_their_codes_with_the_quintic_map() {
-    every_grid::<Quintic>("quintic", QUINTIC);
+    every_grid::<QuinticStart>("quintic", QUINTIC);
 }

@@ -6,7 +6,7 @@ use nanospectra::color::{Bt2020, DisplayP3, Rgb, RgbSpace, Srgb, Xyz};
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Basis, Linear, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing, kubelka_munk,
+    Basis, LinearStart, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing, kubelka_munk,
 };
 use nanospectra::{Bins, Curve, Interpolation, Light, Nodes, Outside, Reflectance};
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ static WHITE: Light<31, Grid> = D65.interpolate(Interpolation::Linear, Outside::
 /// Few bands and a wide space: much of it is out of reach.
 static WIDE_VIEWING: Viewing<16, Bins<380, 730>, Bt2020> =
     Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
-static WIDE: Sigmoid<16, Bins<380, 730>, Bt2020, Linear> = Sigmoid::new(&WIDE_VIEWING);
+static WIDE: Sigmoid<16, Bins<380, 730>, Bt2020, LinearStart> = Sigmoid::new(&WIDE_VIEWING);
 static WIDE_BASIS: Basis<16, Bins<380, 730>, Bt2020> = Basis::new(&WIDE_VIEWING);
 
 /// The whole range, the faces, near black, near white, near gray.

@@ -9,7 +9,8 @@ use nanospectra::color::{AcesCg, AdobeRgb, Bt2020, DisplayP3, EncodedRgb, Rgb, R
 use nanospectra::light::{D65, daylight};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, SmitsBins, StartMap, Status, Viewing,
+    Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, SmitsBins, StartMap,
+    Status, Viewing,
 };
 use nanospectra::{Bins, Curve, Grid, Interpolation, Nodes, Outside, Reflectance};
 
@@ -259,7 +260,8 @@ fn the_three_start_maps_lead_to_the_same_colors() {
         cube(9, |[r, g, b]| all.push(sigmoid.reflectance(Rgb::new(r, g, b)).spectrum.on_grid()));
         all
     }
-    let (linear, cubic, quintic) = (spectra::<Linear>(), spectra::<Cubic>(), spectra::<Quintic>());
+    let (linear, cubic, quintic) =
+        (spectra::<LinearStart>(), spectra::<CubicStart>(), spectra::<QuinticStart>());
     let mut worst = 0.0f32;
     for (a, (b, c)) in linear.iter().zip(cubic.iter().zip(&quintic)) {
         for (a, (b, c)) in a.values().iter().zip(b.values().iter().zip(c.values())) {
@@ -268,9 +270,9 @@ fn the_three_start_maps_lead_to_the_same_colors() {
     }
     println!("start maps differ by {worst}");
     assert!(worst < 1e-3, "{worst}");
-    assert_eq!((Linear::BYTES, Cubic::BYTES, Quintic::BYTES), (36, 156, 408));
+    assert_eq!((LinearStart::BYTES, CubicStart::BYTES, QuinticStart::BYTES), (36, 156, 408));
     // All method data besides the weights: the largest map and three matrices' worth.
-    assert!(size_of::<Sigmoid<31, Points>>() - 16 * 31 + Quintic::BYTES <= 512);
+    assert!(size_of::<Sigmoid<31, Points>>() - 16 * 31 + QuinticStart::BYTES <= 512);
 }
 
 #[test]

@@ -10,7 +10,9 @@ use nanospectra::color::{EncodedRgb, Rgb, Srgb, Xyz};
 use nanospectra::light::{A, D65, FL2, FL11, LED_B3};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
-use nanospectra::upsample::{Basis, Cubic, Linear, Quintic, Sigmoid, Smits, StartMap, Viewing};
+use nanospectra::upsample::{
+    Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, Smits, StartMap, Viewing,
+};
 use nanospectra::{
     Curve, Factor, Fine, Grid, Interpolation, Nodes, Observer, Outside, Power, Reflectance, Spectrum,
 };
@@ -115,9 +117,9 @@ impl Study {
                 rows.push(row($name, bytes, $word, time, &|rgb| sigmoid.reflectance(rgb).spectrum.on_grid()));
             };
         }
-        sigmoid!(Linear, "Sigmoid, Linear", "upsample/start_linear.csv", "upsample-linear-31");
-        sigmoid!(Cubic, "Sigmoid, Cubic", "upsample/start_cubic.csv", "upsample-cubic-31");
-        sigmoid!(Quintic, "Sigmoid, Quintic", "upsample/start_quintic.csv", "upsample-quintic-31");
+        sigmoid!(LinearStart, "Sigmoid, Linear", "upsample/start_linear.csv", "upsample-linear-31");
+        sigmoid!(CubicStart, "Sigmoid, Cubic", "upsample/start_cubic.csv", "upsample-cubic-31");
+        sigmoid!(QuinticStart, "Sigmoid, Quintic", "upsample/start_quintic.csv", "upsample-quintic-31");
         let (basis, few_basis) = (Basis::new(&self.viewing), Basis::new(&few));
         let time = nanoseconds(runs, || few_basis.reflectance(black_box(pixel)));
         rows.push(row("Basis", size_of_val(&few_basis), "upsample-basis-31", time, &|rgb| {

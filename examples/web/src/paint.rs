@@ -26,9 +26,9 @@ static VIEWING: Viewing<N, Grid> =
     Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
 /// The small module starts from the small map.
 #[cfg(not(feature = "paint"))]
-type Start = nanospectra::upsample::Linear;
+type Start = nanospectra::upsample::LinearStart;
 #[cfg(feature = "paint")]
-type Start = nanospectra::upsample::Cubic;
+type Start = nanospectra::upsample::CubicStart;
 static SIGMOID: Sigmoid<N, Grid, Srgb, Start> = Sigmoid::new(&VIEWING);
 
 /// The reflectance of a linear sRGB color into `out`, one number a band. Gives 0, or 1 for a color that no

@@ -48,9 +48,24 @@ const TABLES: [Table; 3] = [
         name: "upsampling",
         cells: &[(3, &[(M4F, Release, 0), (M4F, Release, 1)]), (4, &[(M4F, Small, 0), (M4F, Small, 1)])],
         rows: &[
-            ("`Sigmoid`, `Linear`", &["upsample-linear-31", "upsample-linear-31-most"], "instructions", 1),
-            ("**`Sigmoid`, `Cubic`**", &["upsample-cubic-31", "upsample-cubic-31-most"], "instructions", 1),
-            ("`Sigmoid`, `Quintic`", &["upsample-quintic-31", "upsample-quintic-31-most"], "instructions", 1),
+            (
+                "`Sigmoid`, `LinearStart`",
+                &["upsample-linear-31", "upsample-linear-31-most"],
+                "instructions",
+                1,
+            ),
+            (
+                "**`Sigmoid`, `CubicStart`**",
+                &["upsample-cubic-31", "upsample-cubic-31-most"],
+                "instructions",
+                1,
+            ),
+            (
+                "`Sigmoid`, `QuinticStart`",
+                &["upsample-quintic-31", "upsample-quintic-31-most"],
+                "instructions",
+                1,
+            ),
             ("reading stored numbers, a sample", &["upsample-read-31"], "instructions", 31),
             ("`Basis` (linear)", &["upsample-basis-31"], "instructions", 1),
             ("`Smits` (the classic)", &["upsample-smits-31"], "instructions", 1),

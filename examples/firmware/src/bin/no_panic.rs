@@ -14,14 +14,14 @@ use nanospectra::color::{
 use nanospectra::light::{D65, FL11, blackbody, daylight};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd, scotopic_illuminance};
-use nanospectra::upsample::{Basis, CohenR, Display, Quintic, Sigmoid, Smits, Viewing, kubelka_munk};
+use nanospectra::upsample::{Basis, CohenR, Display, QuinticStart, Sigmoid, Smits, Viewing, kubelka_munk};
 use nanospectra::{Bins, Fine, Interpolation, Light, Outside, Power, Reflectance};
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
 
 static VIEWING: Viewing<31> =
     Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
-static SIGMOID: Sigmoid<31, Bins<380, 730>, Srgb, Quintic> = Sigmoid::new(&VIEWING);
+static SIGMOID: Sigmoid<31, Bins<380, 730>, Srgb, QuinticStart> = Sigmoid::new(&VIEWING);
 static BASIS: Basis<31> = Basis::new(&VIEWING);
 static SMITS: Smits<31> = Smits::new();
 static COHEN: CohenR<31> = CohenR::new(VIEWING.eye());

@@ -8,7 +8,8 @@ use nanospectra::color::{Rgb, Srgb};
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Basis, Cubic, Linear, Quintic, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing,
+    Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap,
+    Status, Viewing,
 };
 use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance};
 use nanospectra_firmware::clock::Clock;
@@ -19,9 +20,9 @@ type Answer = Solved<SigmoidReflectance>;
 
 static EYE: Viewing<31, Grid> =
     Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
-static LINEAR: Sigmoid<31, Grid, Srgb, Linear> = Sigmoid::new(&EYE);
-static CUBIC: Sigmoid<31, Grid, Srgb, Cubic> = Sigmoid::new(&EYE);
-static QUINTIC: Sigmoid<31, Grid, Srgb, Quintic> = Sigmoid::new(&EYE);
+static LINEAR: Sigmoid<31, Grid, Srgb, LinearStart> = Sigmoid::new(&EYE);
+static CUBIC: Sigmoid<31, Grid, Srgb, CubicStart> = Sigmoid::new(&EYE);
+static QUINTIC: Sigmoid<31, Grid, Srgb, QuinticStart> = Sigmoid::new(&EYE);
 static BASIS: Basis<31, Grid> = Basis::new(&EYE);
 static SMITS: Smits<31, Grid> = Smits::new();
 
