@@ -12,8 +12,8 @@ fn show(name: &str, light: &Fine<Power>) {
         light.power(),
         illuminance(light),
         ppfd(light),
-        AlphaOpic::of(light).melanopic,
-        AlphaOpic::of(light).edi().melanopic,
+        AlphaOpic::new(light).melanopic,
+        AlphaOpic::new(light).edi().melanopic,
     );
 }
 
@@ -38,10 +38,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // CIE S 026: 1.3262 mW/lm of daylight D65 are melanopic, and the equivalent daylight illuminance of D65 is its
     // illuminance; an incandescent lamp (A) has 0.496 of that.
-    let melanopic = AlphaOpic::of(&daylight);
+    let melanopic = AlphaOpic::new(&daylight);
     assert!((melanopic.melanopic / 500.0 - 1.3262e-3).abs() < 1e-7);
     assert!((melanopic.edi().melanopic - 500.0).abs() < 0.1);
-    assert!((AlphaOpic::of(&incandescent).edi().melanopic / 500.0 - 0.496).abs() < 5e-4);
+    assert!((AlphaOpic::new(&incandescent).edi().melanopic / 500.0 - 0.496).abs() < 5e-4);
     // A mole of photons of 660 nm carries h c N_A / 660 nm = 0.11963 J m / 660 nm = 181.25 kJ. CIE 18: the eye's
     // sensitivity V(660 nm) is 0.061, and 683 lm/W at 555 nm.
     assert!((ppfd(&red) - 10.0 / 0.181_25).abs() < 0.01 && lost == 0.0);

@@ -28,7 +28,7 @@ impl Direction {
 
     /// The direction of a vector of any length; `None` for no length, and for what is not finite.
     #[must_use]
-    pub fn of(vector: [f32; 3]) -> Option<Self> {
+    pub fn from_vector(vector: [f32; 3]) -> Option<Self> {
         let size =
             vector.iter().fold(0.0, |size: f32, part| if part.abs() > size { part.abs() } else { size });
         if size == 0.0 || !vector.iter().all(|part| part.is_finite()) {
@@ -156,7 +156,7 @@ impl Direction {
     /// The normal of the facet that mirrors these two into each other; `None` for opposite directions.
     #[must_use]
     pub fn halfway(self, other: Self) -> Option<Self> {
-        Self::of([self.x + other.x, self.y + other.y, self.z + other.z])
+        Self::from_vector([self.x + other.x, self.y + other.y, self.z + other.z])
     }
 
     /// Where light goes that comes from here and is refracted at the surface: Snell's law.

@@ -18,7 +18,7 @@ use crate::geometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 /// let copper =
 ///     Microfacet { facets: TrowbridgeReitz::new(0.3), boundary: Conductor { eta: 1.15, k: 2.56 } };
 ///
-/// let Some(frame) = Frame::of_normal(normal) else { return };
+/// let Some(frame) = Frame::from_normal(normal) else { return };
 /// let ways = (frame.towards(point_m, camera_m), frame.towards(point_m, lamp.position_m));
 /// let (Some(wo), Some(wi)) = ways else { return };
 /// let arriving = lamp.irradiance(point_m, normal); // W/m2, its cosine included
@@ -51,12 +51,12 @@ impl Frame {
     ///
     /// ```
     /// # use nanospectra::geometry::{Direction, Frame};
-    /// let floor = Frame::of_normal([0.0, 0.0, 9.0]);
+    /// let floor = Frame::from_normal([0.0, 0.0, 9.0]);
     /// assert_eq!(floor.and_then(|floor| floor.to_local([0.0, 0.0, 0.2])), Some(Direction::NORMAL));
-    /// assert_eq!(Frame::of_normal([0.0; 3]), None);
+    /// assert_eq!(Frame::from_normal([0.0; 3]), None);
     /// ```
     #[must_use]
-    pub fn of_normal(normal: [f32; 3]) -> Option<Self> {
+    pub fn from_normal(normal: [f32; 3]) -> Option<Self> {
         let normal @ [x, y, z] = axis(normal)?;
         // Not the sign bit: 0 and -0 are one normal.
         let sign = if z < 0.0 { -1.0 } else { 1.0 };
@@ -103,7 +103,7 @@ impl Frame {
     #[must_use]
     pub fn to_local(self, vector: [f32; 3]) -> Option<Direction> {
         let vector = scaled(vector, to_unity(vector));
-        Direction::of(self.axes.map(|axis| dot(axis, vector)))
+        Direction::from_vector(self.axes.map(|axis| dot(axis, vector)))
     }
 
     /// The direction in which a target is seen from a point, both in m in the world; `None` where they are one place.

@@ -42,7 +42,7 @@ impl AlphaOpic {
     /// # Reference
     /// CIE S 026/E:2018; the 1 nm tables, 380..=780 nm.
     #[must_use]
-    pub fn of(light: &Fine<Power>) -> Self {
+    pub fn new(light: &Fine<Power>) -> Self {
         Self::from_array(ALPHA_OPIC.sees(light))
     }
 
@@ -61,7 +61,7 @@ impl AlphaOpic {
     #[must_use]
     pub fn der(light: &Fine<Power>) -> Option<Self> {
         let lux = illuminance(&light.within(380.0, 780.0));
-        (lux > 0.0).then(|| Self::from_array(Self::of(light).edi().to_array().map(|edi| edi / lux)))
+        (lux > 0.0).then(|| Self::from_array(Self::new(light).edi().to_array().map(|edi| edi / lux)))
     }
 
     /// S cones, M cones, L cones, rods, melanopsin.

@@ -262,7 +262,7 @@ fn no_surface_and_light_from_behind_reflect_nothing_and_nan_stays() {
 fn plates_in_bins<const N: usize>(what: &'static str, width: f64) {
     let (lamp, sheet, mut check) = (Light::<N>::flat(1.0), Polarizer::ideal(0.0), check(what));
     for path_nm in [0.0f32, 137.5, 550.0, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6, -2e4] {
-        let plate = Retarder::of_path_difference(path_nm, 0.125);
+        let plate = Retarder::from_path_difference(path_nm, 0.125);
         let light = lamp.polarized().through(&sheet).through(&plate);
         for k in 0..N {
             let [i, q, u, v] = light.stokes_at(k);
@@ -287,7 +287,7 @@ fn a_plate_of_one_path_difference_is_its_mean_over_each_bin() {
     plates_in_bins::<31>("plates in 31 bins", 350.0 / 31.0);
     plates_in_bins::<16>("plates in 16 bins", 350.0 / 16.0);
     // 137.5 nm are a quarter wave at 550 nm, but for what the bin of 10 nm is wide.
-    let plate = Retarder::<1, Bins<545, 555>>::of_path_difference(137.5, 0.125);
+    let plate = Retarder::<1, Bins<545, 555>>::from_path_difference(137.5, 0.125);
     let (lamp, sheet) = (Light::<1, Bins<545, 555>>::flat(1.0), Polarizer::ideal(0.0));
     let light = lamp.polarized().through(&sheet).through(&plate);
     let [_, q, _, v] = light.stokes_at(0);
@@ -301,7 +301,7 @@ fn a_thick_plate_between_crossed_sheets_passes_a_quarter() {
     let (sun, first, second) = (Light::<31>::flat(1.0), Polarizer::ideal(0.0), Polarizer::ideal(0.25));
     let [_, white, _] = eye.sees(&sun);
     for path_nm in [3e4, 1e5, 1e6, 1e9, f32::MAX] {
-        let plate = Retarder::of_path_difference(path_nm, 0.125);
+        let plate = Retarder::from_path_difference(path_nm, 0.125);
         let light = sun.polarized().through(&first).through(&plate).through(&second);
         let [_, y, _] = eye.sees(light.ignoring_polarization());
         assert!((y / white - 0.25).abs() < 0.01, "{path_nm}: {}", y / white);
@@ -312,7 +312,7 @@ fn a_thick_plate_between_crossed_sheets_passes_a_quarter() {
 #[test]
 fn a_plate_on_a_grid_from_zero_is_light() {
     for path_nm in [0.0, 1.0, 1e3, 1e30, f32::MAX] {
-        let plate = Retarder::<2, Bins<0, 700>>::of_path_difference(path_nm, 0.1);
+        let plate = Retarder::<2, Bins<0, 700>>::from_path_difference(path_nm, 0.1);
         let turned = plate.mueller().turn(0, [1.0, 0.6, 0.0, 0.8]);
         assert!(is_light(turned, 1e-6), "{path_nm}: {turned:?}");
     }
@@ -459,7 +459,7 @@ proptest! {
         glass.values_mut().copy_from_slice(&values);
         let lamp = Light::<31>::flat(1.0);
         let (lake, sheet) = (Mirror::dielectric(&[eta; 31], cos, axis), Polarizer::ideal(sheet));
-        let plate = Retarder::of_path_difference(plate, 0.1);
+        let plate = Retarder::from_path_difference(plate, 0.1);
         let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
         let path = lamp.polarized().onto(&lake).through(&plate).through(&glass).through(&sheet);
         let walked = eye.sees(path.ignoring_polarization());

@@ -86,7 +86,7 @@ fn nothing_that_polarizes_gives_nan() {
         let element: Mueller<2, Two> = match case % 6 {
             0 => *Polarizer::ideal(axis).mueller(),
             1 => *Polarizer::new(&first, &second, axis).mueller(),
-            2 => *Retarder::of_path_difference(numbers[0], axis).mueller(),
+            2 => *Retarder::from_path_difference(numbers[0], axis).mueller(),
             3 => *Retarder::flat(numbers[0], axis).mueller(),
             4 => *Mirror::dielectric(&numbers.map(f32::abs), others[0], axis).mueller(),
             _ => {

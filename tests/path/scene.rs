@@ -114,7 +114,7 @@ impl Pool {
             brightened: Donaldson::new(&shares).expect("no more than came"),
             lake: Mirror::dielectric(&[1.33; 31], 0.6, 0.03),
             sheet: Polarizer::new(&Reflectance::flat(0.8), &Reflectance::flat(0.05), 0.1),
-            plate: Retarder::of_path_difference(137.5, 0.2),
+            plate: Retarder::from_path_difference(137.5, 0.2),
         }
     }
 

@@ -55,12 +55,12 @@ fn angles_come_back_from_directions_near_the_poles_too() {
 #[test]
 fn vectors_of_any_length_have_a_direction_and_nothing_has_none() {
     for size in [1e-45f32, 1e-38, 1e-20, 1.0, 1e20, 1e38] {
-        let w = Direction::of([3.0 * size, 0.0, 3.0 * size]).expect("a vector");
+        let w = Direction::from_vector([3.0 * size, 0.0, 3.0 * size]).expect("a vector");
         assert!((length(w) - 1.0).abs() < 2e-7 && w.x() == w.cos_theta(), "{size}: {w:?}");
     }
-    assert_eq!(Direction::of([0.0, -0.0, 0.0]), None);
-    assert_eq!(Direction::of([f32::NAN, 0.0, 1.0]), None);
-    assert_eq!(Direction::of([0.0, f32::INFINITY, 1.0]), None);
+    assert_eq!(Direction::from_vector([0.0, -0.0, 0.0]), None);
+    assert_eq!(Direction::from_vector([f32::NAN, 0.0, 1.0]), None);
+    assert_eq!(Direction::from_vector([0.0, f32::INFINITY, 1.0]), None);
     assert!(Direction::spherical(f32::NAN, 0.0).cos_theta().is_nan());
 }
 

@@ -50,7 +50,7 @@ fn axes_are_of_length_one_and_at_right_angles() {
     let (mut random, mut frames) = (Noise(7), 0);
     for normal in normals() {
         let tangent = random.point();
-        let both = [Frame::of_normal(normal), Frame::with_tangent(normal, tangent)];
+        let both = [Frame::from_normal(normal), Frame::with_tangent(normal, tangent)];
         for (name, frame) in ["normal", "tangent"].into_iter().zip(both) {
             let axes @ [x, y, z] = frame.unwrap_or_else(|| panic!("no frame by {name}: {normal:?}")).axes();
             let place = format!("{name} {normal:?}");
@@ -78,8 +78,8 @@ fn axes_are_of_length_one_and_at_right_angles() {
 fn directions_come_back_from_the_world() {
     let (mut there, mut compared, mut random) = (check("directions by way of the world"), 0, Noise(9));
     for normal in normals() {
-        let (frame, w) = (Frame::of_normal(normal).expect("a frame"), random.point());
-        let w = Direction::of(w).expect("a direction");
+        let (frame, w) = (Frame::from_normal(normal).expect("a frame"), random.point());
+        let w = Direction::from_vector(w).expect("a direction");
         let back = frame.to_local(frame.to_world(w)).expect("a direction");
         for (got, exact) in back.to_array().into_iter().zip(w.to_array()) {
             there.value(&format!("{normal:?}"), f64::from(got), f64::from(exact));
@@ -94,25 +94,25 @@ fn directions_come_back_from_the_world() {
 #[test]
 fn one_normal_has_one_frame_whatever_its_length_and_signs_of_zero() {
     for [x, y] in [[0.6, 0.8], [-1.0, 0.0], [0.0, 1.0]] {
-        let frames = [0.0, -0.0].map(|z| Frame::of_normal([x, y, z]));
+        let frames = [0.0, -0.0].map(|z| Frame::from_normal([x, y, z]));
         assert_eq!(frames[0], frames[1], "{x} {y}");
     }
     let [x, y, z] = [0.25, -0.5, 0.75];
-    let one = Frame::of_normal([x, y, z]);
+    let one = Frame::from_normal([x, y, z]);
     for k in [2f32.powi(-100), 0.5, 2f32.powi(100)] {
-        assert_eq!(Frame::of_normal([x * k, y * k, z * k]), one, "{k}");
+        assert_eq!(Frame::from_normal([x * k, y * k, z * k]), one, "{k}");
     }
     // Straight up the frame is the world's own, straight down with y turned.
-    let axes = |z| Frame::of_normal([0.0, 0.0, z]).map(Frame::axes);
+    let axes = |z| Frame::from_normal([0.0, 0.0, z]).map(Frame::axes);
     assert_eq!(axes(1.0), Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
     assert_eq!(axes(-1.0), Some([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]));
 }
 
 #[test]
 fn what_is_no_frame_or_direction_is_none() {
-    let (up, frame) = ([0.0, 0.0, 1.0], Frame::of_normal([0.1, 0.2, 0.3]).expect("a frame"));
+    let (up, frame) = ([0.0, 0.0, 1.0], Frame::from_normal([0.1, 0.2, 0.3]).expect("a frame"));
     for bad in [[0.0, -0.0, 0.0], [f32::NAN, 0.0, 1.0], [0.0, f32::INFINITY, 1.0]] {
-        assert_eq!(Frame::of_normal(bad), None);
+        assert_eq!(Frame::from_normal(bad), None);
         assert_eq!(Frame::with_tangent(bad, up), None);
         assert_eq!(Frame::with_tangent(up, bad), None);
         assert_eq!(frame.to_local(bad), None);
@@ -132,7 +132,7 @@ fn what_is_no_frame_or_direction_is_none() {
 #[test]
 fn cosines_are_those_of_the_sources() {
     let (point_m, normal) = ([0.3, -0.2, 0.7], [0.5, 0.1, 0.9]);
-    let frame = Frame::of_normal(normal).expect("a frame");
+    let frame = Frame::from_normal(normal).expect("a frame");
     let mut random = Noise(11);
     let mut lit = 0;
     for _ in 0..1000 {
@@ -157,7 +157,7 @@ fn a_mirror_in_the_world_sends_light_where_it_should() {
     let (lamp, camera) = ([2.0, 1.0, 2.0], [-2.0, 1.0, 2.0]);
     let polished = Microfacet { facets: TrowbridgeReitz::new(0.05), boundary: Conductor::new(0.2, 3.0) };
     let seen = |normal| {
-        let frame = Frame::of_normal(normal).expect("a frame");
+        let frame = Frame::from_normal(normal).expect("a frame");
         let [wo, wi] = [camera, lamp].map(|at| frame.towards([0.0; 3], at).expect("a direction"));
         polished.f(wo, wi)
     };

@@ -176,7 +176,7 @@ extern "C" fn polarizer(along: f32, across: f32, axis_turns: f32) -> u32 {
 /// A wave plate of this path difference in nm.
 #[unsafe(no_mangle)]
 extern "C" fn retarder(path_difference_nm: f32, axis_turns: f32) -> u32 {
-    add(What::Retarder(Retarder::of_path_difference(path_difference_nm, axis_turns)), CLEAR)
+    add(What::Retarder(Retarder::from_path_difference(path_difference_nm, axis_turns)), CLEAR)
 }
 
 /// Where results stand in `out`.

@@ -38,7 +38,7 @@ impl<const N: usize, G: Grid> Retarder<N, G> {
     /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins of the
     /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarization.rs`).
     #[must_use]
-    pub const fn of_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self {
+    pub const fn from_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self {
         let mut elements = [[0.0; 4]; N];
         let mut k = 0;
         while k < N {

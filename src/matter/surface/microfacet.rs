@@ -83,7 +83,7 @@ impl TrowbridgeReitz {
     pub fn visible_normal(self, w: Direction, share: f32, turns: f32) -> Direction {
         let cosine = at_least(w.cos_theta(), LOWEST_COSINE);
         // The surface stretched until its roughness is 1: there the reflected directions fill a cap evenly.
-        let Some(seen) = Direction::of([self.alpha * w.x(), self.alpha * w.y(), cosine]) else {
+        let Some(seen) = Direction::from_vector([self.alpha * w.x(), self.alpha * w.y(), cosine]) else {
             return Direction::unit(f32::NAN, f32::NAN, f32::NAN);
         };
         let [x, y, z] = seen.to_array();
@@ -92,7 +92,7 @@ impl TrowbridgeReitz {
         let sine = sqrt((1.0 - share) * (1.0 + z) * (1.0 - z + height));
         let normal =
             [self.alpha * (x + sine * cos_turns(turns)), self.alpha * (y + sine * sin_turns(turns)), height];
-        Direction::of(normal).unwrap_or(Direction::NORMAL)
+        Direction::from_vector(normal).unwrap_or(Direction::NORMAL)
     }
 
     /// sqrt(cos^2 + alpha^2 sin^2): the area of the stretched facets as seen from `w`.

@@ -56,7 +56,7 @@ fn polarization(hash: &mut Hash) {
         let lake = Mirror::dielectric(&eta, random.unit(), random.unit());
         let [along, across] = [(); 2].map(|()| Reflectance::from_bins(random.bins()));
         let sheet = Polarizer::new(&along, &across, random.unit());
-        let plate = Retarder::of_path_difference(900.0 * random.unit(), random.unit());
+        let plate = Retarder::from_path_difference(900.0 * random.unit(), random.unit());
         let path = light.polarized().onto(&lake).through(&plate).through(&along).through(&sheet);
         for k in 0..16 {
             hash.all(&path.stokes_at(k));

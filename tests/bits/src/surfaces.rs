@@ -33,7 +33,8 @@ fn geometry(hash: &mut Hash) {
         hash.all(&[direction.theta_rad(), direction.phi_rad()]);
         hash.all(&direction.refracted(0.5 + c).map_or([0.0; 3], Direction::to_array));
         let (normal, tangent) = ([a - 1.5, b - 1.5, c - 1.5], [c, a, -b]);
-        for frame in [Frame::of_normal(normal), Frame::with_tangent(normal, tangent)].into_iter().flatten() {
+        for frame in [Frame::from_normal(normal), Frame::with_tangent(normal, tangent)].into_iter().flatten()
+        {
             frame.axes().iter().for_each(|axis| hash.all(axis));
             hash.all(&frame.to_world(direction));
             hash.all(&frame.towards(normal, tangent).map_or([0.0; 3], Direction::to_array));

@@ -117,7 +117,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             if !(0.0..=1e5).contains(&nm) {
                 return Err(wrong(format!("path_difference_nm = {nm} is no plate; give 0..100000")));
             }
-            let retarder = Retarder::of_path_difference(nm, axis / 360.0);
+            let retarder = Retarder::from_path_difference(nm, axis / 360.0);
             ("retarder", "polarization", false, What::Retarder(retarder))
         } else {
             return Err(recipe.wrong(at, several));

@@ -213,7 +213,7 @@ fn a_metal_turns_polarized_light_as_its_phase_says() {
     let eye: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Fold::Spline);
     let (lamp, [first, last]) = (Light::flat(1.0), [0.125, -0.125].map(Polarizer::ideal));
     let (prism, plate) =
-        (Mirror::dielectric(&[0.66; 81], 0.5, 0.0), Retarder::of_path_difference(137.5, 0.0));
+        (Mirror::dielectric(&[0.66; 81], 0.5, 0.0), Retarder::from_path_difference(137.5, 0.0));
     let path = lamp.polarized().through(&first).onto(&prism).through(&plate).through(&last);
     let [_, y, _] = eye.sees(path.ignoring_polarization());
     let [_, white, _] = eye.sees(&lamp);

@@ -95,7 +95,7 @@ fn geometry() {
     black_box((together.radiant(), together.flux(a).during(b), together.sent_back().lambertian()));
     black_box(SurfaceElement { position_m: p, normal: n, area_m2: a }.seen_from(q));
     black_box(SurfaceRadiance::free_space(n, |_| spectral).incident(q));
-    for frame in [Frame::of_normal(n), Frame::with_tangent(n, q)].into_iter().flatten() {
+    for frame in [Frame::from_normal(n), Frame::with_tangent(n, q)].into_iter().flatten() {
         let towards = frame.towards(r, p).or(frame.to_local(q));
         black_box((towards.map(|wi| frame.to_world(wi)), frame.axes()));
     }
@@ -105,7 +105,12 @@ fn geometry() {
 fn surfaces() {
     let [cosine, alpha, turns] = black_box([0.7, 0.2, 0.3]);
     let (wo, wi) = (Direction::from_cosine(cosine, turns), Direction::spherical(alpha, cosine));
-    black_box((wo.theta_rad(), wo.phi_rad(), wo.refracted(cosine), Direction::of([cosine, alpha, turns])));
+    black_box((
+        wo.theta_rad(),
+        wo.phi_rad(),
+        wo.refracted(cosine),
+        Direction::from_vector([cosine, alpha, turns]),
+    ));
     let (glass, gold) = (Dielectric::new(1.0 + cosine), Conductor::new(alpha, 3.0 * cosine));
     black_box((glass.fresnel(cosine), glass.entering(cosine), glass.amplitudes(cosine)));
     black_box((gold.fresnel(cosine), gold.entering(cosine), gold.amplitudes(cosine).retardation()));
