@@ -44,7 +44,7 @@ impl<V: Carried> PointSource<V> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereSource<V> {
     /// Its center, in m.
-    pub center_m: [f32; 3],
+    pub position_m: [f32; 3],
     /// Its radius, in m.
     pub radius_m: f32,
     /// The radiance of its surface, the same on its inside.
@@ -60,7 +60,7 @@ impl<V: Carried> SphereSource<V> {
     ///
     /// ```
     /// use nanospectra::radiometry::{Nit, SphereSource};
-    /// let globe = SphereSource { center_m: [0.0, 0.0, 2.0], radius_m: 0.25, radiance: Nit::from(1000.0) };
+    /// let globe = SphereSource { position_m: [0.0, 0.0, 2.0], radius_m: 0.25, radiance: Nit::from(1000.0) };
     /// assert_eq!(format!("{:.2}", globe.irradiance([0.0; 3], [0.0, 0.0, 1.0])), "49.09 lx"); // pi L (r / d)^2
     /// ```
     #[cfg(feature = "libm")]
@@ -72,7 +72,7 @@ impl<V: Carried> SphereSource<V> {
     /// [`irradiance`](Self::irradiance) on another math backend.
     #[must_use]
     pub fn irradiance_with<M: Math>(&self, point_m: [f32; 3], normal: [f32; 3]) -> Irradiance<V> {
-        let (way, k) = way(point_m, self.center_m);
+        let (way, k) = way(point_m, self.position_m);
         let direction = unit(way);
         let cos = dot(direction, unit(normal));
         let factor = to_sphere_with::<M>(finite(self.radius_m * k), dot(direction, way), cos);

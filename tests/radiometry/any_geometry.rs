@@ -41,7 +41,7 @@ fn everything([a, b, c]: [f32; 3], points: [[f32; 3]; 5]) -> Vec<(&'static str, 
     let piece = SurfaceElement { position_m: p, normal: n, area_m2: a.abs() };
     let (direction, dw) = piece.seen_from(q);
     let point = PointSource { position_m: p, intensity: Candela::from(b) };
-    let globe = SphereSource { center_m: p, radius_m: a, radiance: Nit::from(b) };
+    let globe = SphereSource { position_m: p, radius_m: a, radiance: Nit::from(b) };
     let panel = RectangleSource { corner_m: p, edges_m: [r, s], radiance: Nit::from(b) };
     let side = SurfaceRadiance::free_space(n, |w: [f32; 3]| Nit::from(w[0]));
     let lux = |e: Lux| e.value().0;
@@ -129,7 +129,7 @@ fn nan_in_any_argument_stays_nan() {
         for [from, normal] in [[nan([0.0; 3]), up], [[0.0; 3], nan(up)]] {
             assert!(to_polygon(from, normal, &triangle_of).is_nan());
             let point = PointSource { position_m: p, intensity: Candela::from(1.0) };
-            let globe = SphereSource { center_m: p, radius_m: 0.1, radiance: Nit::from(1.0) };
+            let globe = SphereSource { position_m: p, radius_m: 0.1, radiance: Nit::from(1.0) };
             let panel = RectangleSource { corner_m: p, edges_m: [q, r], radiance: Nit::from(1.0) };
             let all = [
                 point.irradiance(from, normal),

@@ -347,7 +347,7 @@ fn sources_light_a_point_as_their_form_factors_say() {
         let got = f64::from(lamp.irradiance(place, normal).value().0);
         points.value(&at, got / (all * EPS), cos.max(0.0) / EPS);
         let radius_m = (0.01 + 0.9 * f64::from(k) / 20_000.0) * distance;
-        let globe = SphereSource { center_m: to, radius_m: radius_m as f32, radiance: Nit::from(1000.0) };
+        let globe = SphereSource { position_m: to, radius_m: radius_m as f32, radiance: Nit::from(1000.0) };
         let radius = f64::from(globe.radius_m);
         let got = f64::from(globe.irradiance(place, normal).value().0) / (1000.0 * PI);
         let whole = (radius / distance).powi(2);

@@ -184,7 +184,7 @@ fn sources_give_what_their_shapes_say() {
     let (r, d) = (0.01f32, 10.0);
     let area = std::f32::consts::PI * r * r;
     let point = PointSource { position_m: [0.0, 0.0, d], intensity: l.intensity(area, 1.0) };
-    let globe = SphereSource { center_m: [0.0, 0.0, d], radius_m: r, radiance: l };
+    let globe = SphereSource { position_m: [0.0, 0.0, d], radius_m: r, radiance: l };
     let disk = DiskSource { radius_m: r, radiance: l };
     let side = area.sqrt();
     let panel = RectangleSource {
@@ -225,8 +225,8 @@ fn sources_give_what_their_shapes_say() {
 
 /// The same sphere, carrying a spectrum.
 fn coded(globe: SphereSource<Luminous>) -> SphereSource<Light<3>> {
-    let SphereSource { center_m, radius_m, .. } = globe;
-    SphereSource { center_m, radius_m, radiance: Radiance::NONE }
+    let SphereSource { position_m, radius_m, .. } = globe;
+    SphereSource { position_m, radius_m, radiance: Radiance::NONE }
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn geometry() {
     black_box((form_factor::perpendicular_rectangles(a, b, c), form_factor::reciprocal(a, b, c)));
     let spectral = Radiance::new(Light::<31>::flat(b));
     let panel = RectangleSource { corner_m: p, edges_m: [q, r], radiance: spectral };
-    let globe = SphereSource { center_m: p, radius_m: c, radiance: spectral };
+    let globe = SphereSource { position_m: p, radius_m: c, radiance: spectral };
     let lamp = PointSource { position_m: p, intensity: spectral.intensity(a, c) };
     let disk = DiskSource { radius_m: c, radiance: spectral };
     let together =
