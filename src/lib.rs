@@ -34,7 +34,8 @@
 //!
 //! A number enters as a measured sample and leaves as a color. The modules are the stations:
 //!
-//! * [`Grid`]: where N bands lie. [`Bins`] between edges, [`Nodes`] centerd on wavelengths.
+//! * [`Bands`]: what N numbers belong to. Of wavelengths a [`Grid`], [`Bins`] between edges or [`Nodes`] centered on
+//!   wavelengths; or red, green and blue ([`RgbBands`](color::RgbBands)), by one alias for a whole program.
 //! * [`Spectrum`]: N averages of [`Power`] or [`Factor`] on a grid, from samples, lines, tables.
 //! * [`light`]: where power comes from: the CIE illuminants, daylight, black bodies.
 //! * [`matter`]: what light meets: test samples; glasses, metals, matt and rough surfaces; films, absorbers, scatterers;
@@ -109,7 +110,7 @@ pub mod sensor;
 
 pub mod math;
 
-pub use grid::{Bins, Grid, Nodes};
+pub use grid::{Bands, Bins, Grid, Nodes};
 pub use observer::{Curve, FineObserver, Observer};
 pub use spectrum::{
     Factor, Fine, Index, Interpolation, Light, Outside, PerBin, Power, Quantity, Reflectance, SamplesError,

@@ -17,6 +17,7 @@ mod oklab;
 #[cfg(feature = "libm")]
 mod reference;
 mod rgb;
+mod rgb_bands;
 mod rgb_space;
 #[cfg(feature = "libm")]
 mod test_colors;
@@ -41,6 +42,7 @@ pub use oklab::Oklab;
 #[cfg(feature = "libm")]
 pub use reference::RenderingError;
 pub use rgb::{EncodedRgb, Rgb};
+pub use rgb_bands::RgbBands;
 pub(crate) use rgb_space::to_xyz64;
 pub use rgb_space::{AcesCg, AdobeRgb, Bt2020, DisplayP3, RgbSpace, Srgb};
 #[cfg(feature = "libm")]

@@ -10,6 +10,10 @@ pub trait Integrand: Copy + Add<Output = Self> + Mul<f32, Output = Self> {
     /// Adds `value`; `lost` keeps what rounding took from the sum, for the next addition (Kahan's summation).
     fn accumulate(&mut self, lost: &mut Self, value: &Self);
 
+    /// Each number of it by a function.
+    #[must_use]
+    fn map(self, f: impl Fn(f32) -> f32) -> Self;
+
     /// The largest number of it; NaN if there is one.
     fn peak(&self) -> f32;
 
@@ -25,6 +29,10 @@ impl Integrand for f32 {
         let sum = *self + value;
         *lost = (sum - *self) - value;
         *self = sum;
+    }
+
+    fn map(self, f: impl Fn(f32) -> f32) -> Self {
+        f(self)
     }
 
     fn peak(&self) -> f32 {

@@ -1,7 +1,7 @@
 //! The eyes that CIE has tabulated, as published; constants made from the files in `tables/`.
 
-use crate::grid::Nodes;
-use crate::observer::{FineObserver, Observer};
+use crate::grid::{Bands, Grid, Nodes};
+use crate::observer::{Curve, FineObserver, Observer};
 use crate::spectrum::{Interpolation, Outside, Power, Spectrum};
 
 /// Luminous efficacy of radiation at 555 nm, lm/W: times the sum of power and V(lambda).
@@ -30,6 +30,38 @@ pub static CIE_2006_LMS_2: FineObserver<3> = cones(&LMS_2_5NM);
 
 /// CIE 2006 cone fundamentals, 10 degrees; as [`CIE_2006_LMS_2`].
 pub static CIE_2006_LMS_10: FineObserver<3> = cones(&LMS_10_5NM);
+
+/// Bands that the CIE 1931 standard observer looks at, `N` of them: every [`Grid`], and red, green and blue.
+pub trait StandardObserver<const N: usize>: Bands {
+    /// The weights of X, Y and Z.
+    const STANDARD: [[f32; N]; 3];
+}
+
+impl<const N: usize, G: Grid> StandardObserver<N> for G {
+    const STANDARD: [[f32; N]; 3] = CIE_1931.fold::<N, G>(Curve::Step).with_white_y(100.0).0;
+}
+
+impl<const N: usize, G: StandardObserver<N>> Observer<3, N, Power, G> {
+    /// The CIE 1931 standard observer, under one name for spectra and for RGB; Y = 100 for the constant spectrum 1 and
+    /// for [`Light::from_rgb`](crate::Spectrum::from_rgb) of white.
+    ///
+    /// On a grid it is [`CIE_1931`] folded by [`Curve::Step`], for relative lights. (For lights in W, or a fold that is
+    /// better for surfaces, fold [`CIE_1931`] yourself.) Of [`RgbBands`](crate::color::RgbBands) it is the matrix of the
+    /// space: exact for the color of a light, and for products of colors as far off as `RgbBands` says.
+    ///
+    /// ```
+    /// # use nanospectra::color::{RgbBands, Srgb};
+    /// # use nanospectra::{Light, Observer, Power};
+    /// static EYE: Observer<3, 31, Power> = Observer::standard();
+    /// static EYE_OF_RGB: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::standard();
+    /// let ([_, y, _], [_, y_of_rgb, _]) = (EYE.sees(&Light::flat(1.0)), EYE_OF_RGB.sees(&Light::flat(1.0)));
+    /// assert!((y - 100.0).abs() < 1e-4 && (y_of_rgb - 100.0).abs() < 1e-4);
+    /// ```
+    #[must_use]
+    pub const fn standard() -> Self {
+        Observer::unchecked(G::STANDARD)
+    }
+}
 
 const fn cones(table: &[Spectrum<Power, 89, Nodes<390, 830>>; 3]) -> FineObserver<3> {
     let mut rows = [[0.0; 471]; 3];

@@ -1,6 +1,6 @@
 //! An observer: C rows of N weights, one for each number it reports.
 
-use crate::grid::{Bins, Grid, Layout, Nodes};
+use crate::grid::{Bands, Bins, Grid, Layout, Nodes};
 use crate::observer::Path;
 use crate::spectrum::{Factor, Power, Quantity, Spectrum};
 use crate::sum;
@@ -80,11 +80,13 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
         }
         Self::from_weights(weights)
     }
+}
 
+impl<const C: usize, const N: usize, Q: Quantity, G: Bands> Observer<C, N, Q, G> {
     /// From weights as they are: the response of each channel to each bin of value 1.
     #[must_use]
     pub const fn from_weights(weights: [[f32; N]; C]) -> Self {
-        let _ = Layout::<G, N>::STEP;
+        let () = Layout::<G, N>::CHECKED;
         Observer(weights, PhantomData)
     }
 
@@ -214,7 +216,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
     }
 }
 
-impl<const N: usize, Q: Quantity, G: Grid> Observer<3, N, Q, G> {
+impl<const N: usize, Q: Quantity, G: Bands> Observer<3, N, Q, G> {
     /// An XYZ observer scaled so that the constant spectrum 1 has Y = `y`. After
     /// [`under`](Observer::under) that is the perfect white: k = 100 / sum(S y-bar) in CIE 15,
     /// for `y` = 100.

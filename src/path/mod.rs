@@ -20,7 +20,7 @@
 //! * [`Stokes`] light, from `polarized()` on, has four, which [`Mirror`](crate::matter::Mirror)s,
 //!   [`Polarizer`](crate::matter::Polarizer)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
 //!   it plain again; so does `ignoring_polarization()`, for an eye or by choice.
-//! * With [`RgbBands`] for a grid there are three bands: cheap, and off by what [`RgbBands`] says.
+//! * In place of a grid [`RgbBands`](crate::color::RgbBands) are three bands: cheap, and off by what they say.
 //! * A [`Scene`] is a path chosen at run time: its parts are an enum, and it says what they cost and which of them
 //!   hardly show.
 //!
@@ -135,7 +135,6 @@ mod fold;
 mod matter;
 mod plain;
 mod polarized;
-mod rgb;
 mod scene;
 
 pub use crate::price::{Effects, Price, Priced, price_of};
@@ -144,5 +143,4 @@ pub use fold::PolarizedObserver;
 pub use matter::{Filter, Surface};
 pub use plain::{Plain, Times};
 pub use polarized::{Dimmed, Intensity, Natural, Polarized, Stokes, StokesPath, Turned};
-pub use rgb::RgbBands;
 pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarization, Part, Scene, WithinBudget};

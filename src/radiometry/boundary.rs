@@ -77,7 +77,7 @@ impl<A, B> SurfaceRadiance<A, B> {
         } else if cos < 0.0 {
             (self.below)(traveling)
         } else {
-            Radiance::new(V::NONE * cos)
+            Radiance::new(V::ZERO * cos)
         }
     }
 }

@@ -1,7 +1,8 @@
 //! What a quantity counts: watts, lumens, scotopic lumens, or watts for each nanometer.
 
-use crate::grid::Grid;
-use crate::spectrum::{Light, Spectrum};
+use crate::geometry::Integrand;
+use crate::grid::{Bands, Kind};
+use crate::spectrum::Light;
 use core::fmt;
 use core::ops::{Add, Mul, Sub};
 
@@ -9,20 +10,12 @@ use core::ops::{Add, Mul, Sub};
 /// numbers, or a whole spectrum, [`Light`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is nothing that a flux carries",
-    note = "use `Radiant`, `Luminous`, `Scotopic`, or `Light<N, G>` for a spectrum"
+    note = "use `Radiant`, `Luminous`, `Scotopic`, or `Light<N, G>` for a spectrum or an RGB"
 )]
-pub trait Carried:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f32, Output = Self> + sealed::Sealed
-{
-    /// No light at all.
-    const NONE: Self;
+pub trait Carried: Integrand + Sub<Output = Self> + sealed::Sealed {
     /// The column of the table of units.
     #[doc(hidden)]
     const UNITS: Units;
-    /// Every number of it by a function.
-    #[doc(hidden)]
-    #[must_use]
-    fn map(self, f: impl Fn(f32) -> f32) -> Self;
 }
 
 /// A column of the table of units.
@@ -50,10 +43,26 @@ macro_rules! number {
         impl sealed::Sealed for $name {}
 
         impl Carried for $name {
-            const NONE: Self = $name(0.0);
             const UNITS: Units = Units::$name;
+        }
+
+        impl Integrand for $name {
+            const ZERO: Self = $name(0.0);
+
+            fn accumulate(&mut self, lost: &mut Self, value: &Self) {
+                self.0.accumulate(&mut lost.0, &value.0);
+            }
+
             fn map(self, f: impl Fn(f32) -> f32) -> Self {
                 $name(f(self.0))
+            }
+
+            fn peak(&self) -> f32 {
+                self.0
+            }
+
+            fn distance(&self, other: &Self) -> f32 {
+                self.0.distance(&other.0)
             }
         }
 
@@ -102,15 +111,11 @@ number! {
     Scotopic
 }
 
-impl<const N: usize, G: Grid> sealed::Sealed for Light<N, G> {}
+impl<const N: usize, G: Bands> sealed::Sealed for Light<N, G> {}
 
-impl<const N: usize, G: Grid> Carried for Light<N, G> {
-    const NONE: Self = Spectrum::flat(0.0);
-    const UNITS: Units = Units::Spectral;
-    fn map(mut self, f: impl Fn(f32) -> f32) -> Self {
-        for value in self.values_mut() {
-            *value = f(*value);
-        }
-        self
-    }
+impl<const N: usize, G: Bands> Carried for Light<N, G> {
+    const UNITS: Units = match G::KIND {
+        Kind::Wavelengths { .. } => Units::Spectral,
+        Kind::Colors(_) => Units::Radiant,
+    };
 }

@@ -1,6 +1,6 @@
 //! The quantities of radiometry as types: what is added must be of one kind.
 
-use crate::grid::Grid;
+use crate::grid::{Bands, Grid};
 use crate::observer::{KM, KM_SCOTOPIC, Observer, V_PHOTOPIC, V_SCOTOPIC};
 use crate::radiometry::carried::Units;
 use crate::radiometry::{Carried, Luminous, Radiant, Scotopic};
@@ -19,7 +19,7 @@ macro_rules! quantity {
 
         impl<V: Carried> $name<V> {
             /// Nothing.
-            pub const NONE: Self = $name(V::NONE);
+            pub const NONE: Self = $name(V::ZERO);
 
             /// The unit, for tools.
             pub const UNIT: &'static str = match V::UNITS {
@@ -82,7 +82,7 @@ macro_rules! quantity {
             }
         }
 
-        impl<const N: usize, G: Grid> Mul<Spectrum<Factor, N, G>> for $name<Light<N, G>> {
+        impl<const N: usize, G: Bands> Mul<Spectrum<Factor, N, G>> for $name<Light<N, G>> {
             type Output = Self;
             /// What a filter lets through, what a surface sends back.
             fn mul(self, factor: Spectrum<Factor, N, G>) -> Self {

@@ -116,15 +116,7 @@ impl<V: Carried> Irradiance<V> {
     /// assert!((lux.value().0 / (5000.0 * core::f32::consts::PI) - 1.0).abs() < 3e-7);
     /// ```
     pub fn gathered(rule: &impl Hemisphere, mut radiance: impl FnMut(Direction) -> Radiance<V>) -> Self {
-        // Kahan's summation, as integrals of plain numbers have it.
-        let (mut sum, mut lost) = (V::NONE, V::NONE);
-        for node in rule.nodes() {
-            let part = radiance(node.direction).value() * node.projected_sr - lost;
-            let next = sum + part;
-            lost = (next - sum) - part;
-            sum = next;
-        }
-        Irradiance::new(sum)
+        Irradiance::new(rule.integrate_projected(|wi| radiance(wi).value()))
     }
 
     /// The flux on an area in m2, over which this is the mean irradiance. The total over a larger area is the

@@ -1,10 +1,10 @@
 //! Light adds, scales, and is weakened by factors.
 
-use crate::grid::Grid;
+use crate::grid::Bands;
 use crate::spectrum::{Factor, Spectrum};
 use core::ops::{Add, AddAssign, Mul, MulAssign, Sub};
 
-impl<Q, const N: usize, G: Grid> Add for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> Add for Spectrum<Q, N, G> {
     type Output = Self;
     /// Two lights shining at once (or two shares added).
     fn add(mut self, other: Self) -> Self {
@@ -13,7 +13,7 @@ impl<Q, const N: usize, G: Grid> Add for Spectrum<Q, N, G> {
     }
 }
 
-impl<Q, const N: usize, G: Grid> AddAssign for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> AddAssign for Spectrum<Q, N, G> {
     fn add_assign(&mut self, other: Self) {
         for (a, b) in self.0.iter_mut().zip(&other.0) {
             *a += b;
@@ -21,7 +21,7 @@ impl<Q, const N: usize, G: Grid> AddAssign for Spectrum<Q, N, G> {
     }
 }
 
-impl<Q, const N: usize, G: Grid> Sub for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> Sub for Spectrum<Q, N, G> {
     type Output = Self;
     /// What one has more than the other: dark reading off, for example.
     fn sub(mut self, other: Self) -> Self {
@@ -32,7 +32,7 @@ impl<Q, const N: usize, G: Grid> Sub for Spectrum<Q, N, G> {
     }
 }
 
-impl<Q, const N: usize, G: Grid> Mul<f32> for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> Mul<f32> for Spectrum<Q, N, G> {
     type Output = Self;
     /// Every bin times one number.
     fn mul(mut self, k: f32) -> Self {
@@ -41,7 +41,7 @@ impl<Q, const N: usize, G: Grid> Mul<f32> for Spectrum<Q, N, G> {
     }
 }
 
-impl<Q, const N: usize, G: Grid> MulAssign<f32> for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> MulAssign<f32> for Spectrum<Q, N, G> {
     fn mul_assign(&mut self, k: f32) {
         for value in &mut self.0 {
             *value *= k;
@@ -49,7 +49,7 @@ impl<Q, const N: usize, G: Grid> MulAssign<f32> for Spectrum<Q, N, G> {
     }
 }
 
-impl<Q, const N: usize, G: Grid> Mul<Spectrum<Factor, N, G>> for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> Mul<Spectrum<Factor, N, G>> for Spectrum<Q, N, G> {
     type Output = Self;
     /// Light through a filter or off a surface; or two filters in a row.
     fn mul(mut self, factor: Spectrum<Factor, N, G>) -> Self {

@@ -1,15 +1,20 @@
 //! A spectrum is integrated at every wavelength at once.
 
 use crate::geometry::Integrand;
-use crate::grid::Grid;
+use crate::grid::Bands;
 use crate::spectrum::Spectrum;
 
-impl<Q, const N: usize, G: Grid> Integrand for Spectrum<Q, N, G> {
+impl<Q, const N: usize, G: Bands> Integrand for Spectrum<Q, N, G> {
     const ZERO: Self = Spectrum::from_bins([0.0; N]);
 
     fn accumulate(&mut self, lost: &mut Self, value: &Self) {
         let sums = self.values_mut().iter_mut().zip(lost.values_mut());
         sums.zip(value.values()).for_each(|((sum, lost), value)| sum.accumulate(lost, value));
+    }
+
+    fn map(mut self, f: impl Fn(f32) -> f32) -> Self {
+        self.values_mut().iter_mut().for_each(|value| *value = f(*value));
+        self
     }
 
     fn peak(&self) -> f32 {

@@ -1,9 +1,9 @@
 //! Spectral lines: lasers and lamps whose power sits at one wavelength.
 
-use crate::grid::{Grid, Layout};
+use crate::grid::{Bands, Grid, Layout};
 use crate::spectrum::{Power, Spectrum};
 
-impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
+impl<const N: usize, G: Bands> Spectrum<Power, N, G> {
     /// Adds a line of `power` (W, for a spectrum in W/nm) at `nm`, and returns the power that fell
     /// outside the grid: 0, or all of it, or half.
     ///
@@ -17,7 +17,10 @@ impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
     /// assert_eq!((sodium.power(), lost), (1.5, 0.0));
     /// ```
     #[must_use = "the power that fell outside the grid"]
-    pub fn add_line(&mut self, nm: f32, power: f32) -> f32 {
+    pub fn add_line(&mut self, nm: f32, power: f32) -> f32
+    where
+        G: Grid,
+    {
         if nm.is_nan() {
             return power;
         }

@@ -1,6 +1,6 @@
 //! The one type: N numbers, what they mean, and where they lie.
 
-use crate::grid::{Bins, Grid, Layout, Nodes};
+use crate::grid::{Bands, Bins, Grid, Layout, Nodes};
 use crate::spectrum::{Factor, PerBin, Power};
 use core::marker::PhantomData;
 
@@ -62,37 +62,66 @@ impl<Q, const N: usize, G> defmt::Format for Spectrum<Q, N, G> {
 }
 
 impl<Q, const N: usize, G> Spectrum<Q, N, G> {
-    /// On a grid that is known to be one, or that is none.
+    /// In bands that are known to be `N`.
     #[inline]
     pub(crate) const fn unchecked(values: [f32; N]) -> Self {
         Spectrum(values, PhantomData)
     }
 }
 
-impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// Width of a bin, in nm.
-    pub const WIDTH_NM: f32 = Layout::<G, N>::STEP;
-
-    /// From numbers that are already averages over the bins: pixels of an instrument, a table on
-    /// this very grid.
+impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
+    /// From numbers that are already averages over the bins (pixels of an instrument, a table on this very grid), or
+    /// red, green and blue.
     ///
     /// The grid is not inferred from the numbers: write `Light::<16>::from_bins(..)`.
     #[must_use]
+    #[inline]
     pub const fn from_bins(values: [f32; N]) -> Self {
-        // Naming the width makes a bad grid fail here, when code is generated.
-        let _ = Self::WIDTH_NM;
+        let () = Layout::<G, N>::CHECKED;
         Spectrum(values, PhantomData)
     }
 
     /// The same value in every bin: an equal-energy light, a gray filter.
     #[must_use]
+    #[inline]
     pub const fn flat(value: f32) -> Self {
         Self::from_bins([value; N])
     }
 
+    /// The value of each bin.
+    #[must_use]
+    #[inline]
+    pub const fn values(&self) -> &[f32; N] {
+        &self.0
+    }
+
+    /// The value of each bin, to write to.
+    #[must_use]
+    #[inline]
+    pub const fn values_mut(&mut self) -> &mut [f32; N] {
+        &mut self.0
+    }
+
+    /// The largest value; NaN if there is one.
+    #[must_use]
+    pub fn peak(&self) -> f32 {
+        self.0.iter().fold(f32::NEG_INFINITY, |peak, v| if *v <= peak || peak.is_nan() { peak } else { *v })
+    }
+}
+
+impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
+    /// Width of a bin, in nm.
+    pub const WIDTH_NM: f32 = Layout::<G, N>::STEP;
+}
+
+/// What means wavelengths. (The bound is each function's own, so that red, green and blue are told why not.)
+impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
     /// From a function of the wavelength in nm, read at the center of each bin: for 1 nm grids.
     #[must_use]
-    pub fn at_centers(mut value: impl FnMut(f32) -> f32) -> Self {
+    pub fn at_centers(mut value: impl FnMut(f32) -> f32) -> Self
+    where
+        G: Grid,
+    {
         let mut values = [0.0; N];
         for (k, v) in values.iter_mut().enumerate() {
             *v = value(Self::center_nm(k));
@@ -110,7 +139,10 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// assert!((parabola.values()[0] - 310_000.0).abs() < 1.0);
     /// ```
     #[must_use]
-    pub fn averaged(mut value: impl FnMut(f32) -> f32) -> Self {
+    pub fn averaged(mut value: impl FnMut(f32) -> f32) -> Self
+    where
+        G: Grid,
+    {
         // The outer points lie sqrt(3/5) of half a bin from the center; weights 5/18, 4/9, 5/18.
         let outer = 0.387_298_33 * Self::WIDTH_NM;
         Self::at_centers(|nm| {
@@ -120,33 +152,30 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
         })
     }
 
-    /// The value of each bin.
-    #[must_use]
-    pub const fn values(&self) -> &[f32; N] {
-        &self.0
-    }
-
-    /// The value of each bin, to write to.
-    #[must_use]
-    pub const fn values_mut(&mut self) -> &mut [f32; N] {
-        &mut self.0
-    }
-
     /// The lower edge of bin `k` (or the upper end, for `k = N`), in nm.
     #[must_use]
-    pub const fn edge_nm(k: usize) -> f32 {
+    pub const fn edge_nm(k: usize) -> f32
+    where
+        G: Grid,
+    {
         Layout::<G, N>::edge(k)
     }
 
     /// The center of bin `k`, in nm.
     #[must_use]
-    pub const fn center_nm(k: usize) -> f32 {
+    pub const fn center_nm(k: usize) -> f32
+    where
+        G: Grid,
+    {
         Layout::<G, N>::center(k)
     }
 
     /// This spectrum where the centers of its bins lie in `from_nm..=to_nm`, zero elsewhere.
     #[must_use]
-    pub const fn within(&self, from_nm: f32, to_nm: f32) -> Self {
+    pub const fn within(&self, from_nm: f32, to_nm: f32) -> Self
+    where
+        G: Grid,
+    {
         let mut values = self.0;
         let mut k = 0;
         while k < N {
@@ -160,24 +189,24 @@ impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
     }
 
     /// Pairs of (center of the bin in nm, value).
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = (f32, f32)> + '_ {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (f32, f32)> + '_
+    where
+        G: Grid,
+    {
         self.0.iter().enumerate().map(|(k, value)| (Self::center_nm(k), *value))
-    }
-
-    /// The largest value; NaN if there is one.
-    #[must_use]
-    pub fn peak(&self) -> f32 {
-        self.0.iter().fold(f32::NEG_INFINITY, |peak, v| if *v <= peak || peak.is_nan() { peak } else { *v })
     }
 }
 
-impl<const N: usize, G: Grid> Spectrum<Power, N, G> {
+impl<const N: usize, G: Bands> Spectrum<Power, N, G> {
     /// All the power on the grid: the sum of the bins times their width. In W for W/nm.
     ///
     /// # Accuracy
     /// 4 units of 2^-24, relative, for positive values.
     #[must_use]
-    pub fn power(&self) -> f32 {
+    pub fn power(&self) -> f32
+    where
+        G: Grid,
+    {
         crate::sum::sum(&self.0) * Self::WIDTH_NM
     }
 }

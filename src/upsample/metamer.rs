@@ -3,7 +3,7 @@
 #[cfg(feature = "libm")]
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix64, inverse64};
-use crate::grid::{Bins, Grid};
+use crate::grid::{Bands, Bins, Grid};
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Quantity, Spectrum};
 
@@ -96,7 +96,7 @@ impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
 }
 
 #[cfg(feature = "libm")]
-impl<const N: usize, G: Grid> Observer<3, N, Factor, G> {
+impl<const N: usize, G: Bands> Observer<3, N, Factor, G> {
     /// CIEDE2000 between two surfaces, as this eye sees them under the light folded into it: how far two
     /// metamers drift apart under another lamp. NaN if the light is not visible.
     ///

@@ -44,6 +44,9 @@
 //! * [`SigmoidUnbounded`]: the same shape times any number: a density, a color that may be above 1.
 //! * [`SigmoidIlluminant`]: light: an unbounded one times the white that (1, 1, 1) stands for.
 //!
+//! [`Spectrum::from_rgb`](crate::Spectrum::from_rgb) is the short way to a reflectance or a light: by the standard
+//! observer, under the white of the space, on any grid.
+//!
 //! Around it: [`Display`] (what a screen emits for an RGB), [`kubelka_munk`] (mixed paints) and
 //! [`CohenR`] (what of a spectrum an eye cannot see).
 //!
@@ -62,6 +65,7 @@
 
 mod basis;
 mod display;
+mod from_rgb;
 mod kubelka_munk;
 mod meaning;
 mod metamer;
@@ -77,6 +81,7 @@ mod viewing;
 
 pub use basis::Basis;
 pub use display::Display;
+pub use from_rgb::FromRgb;
 pub use kubelka_munk::kubelka_munk;
 pub use meaning::{SigmoidIlluminant, SigmoidReflectance, SigmoidUnbounded};
 pub use metamer::CohenR;

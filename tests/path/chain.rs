@@ -4,12 +4,12 @@
 use model::allowed::check;
 use model::delta_e::de2000;
 use model::lab::lab;
-use nanospectra::color::{AcesCg, Rgb, RgbSpace, Srgb, Xyz};
+use nanospectra::color::{AcesCg, Rgb, RgbBands, RgbSpace, Srgb, Xyz};
 use nanospectra::light::{D65, FL1, FL2, FL3, FL4, FL5, FL6, FL7, FL8, FL9, FL10, FL11, FL12};
 use nanospectra::matter::{CES, Donaldson, Dye, Mirror, Phosphor, Polarizer, Retarder};
 use nanospectra::observer::CIE_1931;
 use nanospectra::observer::Path;
-use nanospectra::path::{Effects, Plain, Price, Priced, RgbBands, Times, price_of};
+use nanospectra::path::{Effects, Plain, Price, Priced, Times, price_of};
 use nanospectra::{
     Bins, Curve, Factor, Fine, FineObserver, Grid, Interpolation, Light, Observer, Outside, Power,
     Reflectance, Spectrum,
@@ -86,7 +86,7 @@ fn a_matt_surface_forgets_how_light_was_polarized_and_glass_does_not() {
 #[test]
 fn rgb_is_this_far_from_the_spectrum() {
     fn errors<S: RgbSpace>() -> (f64, f64) {
-        let eye = Observer::<3, 3, Power, RgbBands<S>>::of_rgb();
+        let eye = Observer::<3, 3, Power, RgbBands<S>>::standard();
         let daylight: FineObserver<3, Factor> = CIE_1931.under(&fine(&D65, Outside::Zero)).with_white_y(1.0);
         let (mut sum, mut worst, mut count) = (0.0, 0.0f64, 0);
         for lamp in [&FL1, &FL2, &FL3, &FL4, &FL5, &FL6, &FL7, &FL8, &FL9, &FL10, &FL11, &FL12] {
@@ -124,7 +124,7 @@ fn rgb_is_this_far_from_the_spectrum() {
 
 #[test]
 fn rgb_goes_through_the_same_paths() {
-    static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::of_rgb();
+    static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::standard();
     let lamp = Light::<3, RgbBands<Srgb>>::from_rgb(Rgb::new(1.0, 0.9, 0.8));
     let red = Reflectance::from_rgb(Rgb::new(0.5, 0.25, 0.125));
     let xyz = EYE.sees(lamp.through(&red).onto(&red));

@@ -1,5 +1,6 @@
 //! Light on its way, by typed paths and by scenes put together at run time.
 
+mod alias;
 mod chain;
 mod fuzz;
 mod scene;

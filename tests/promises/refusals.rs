@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 28] = [
+const REFUSED: [(&str, &str, &[&str]); 34] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -196,15 +196,60 @@ const REFUSED: [(&str, &str, &[&str]); 28] = [
     ),
     (
         "samples_an_rgb",
-        "use nanospectra::{Light, Outside, color::Srgb, path::RgbBands};
+        "use nanospectra::{Light, Outside, color::RgbBands, color::Srgb};
         fn main() {
             println!(\"{:?}\", Light::<3, RgbBands<Srgb>>::from_samples(&[(400.0, 1.0)], Outside::Zero));
         }",
         &["from_samples", "Srgb>: Grid`", "from_rgb"],
     ),
     (
+        "soaps_an_rgb",
+        "use nanospectra::{color::RgbBands, color::Srgb, math::Fast, matter::ThinFilm};
+        fn main() {
+            let film = ThinFilm::new([1.0, 1.33, 1.0], 300.0);
+            println!(\"{:?}\", film.bins_with::<Fast, 3, RgbBands<Srgb>>(1.0, |shares| shares.reflected));
+        }",
+        &["Srgb>` has no wavelengths", "work the matter out on a grid", "`Reflectance::from_rgb(color)`"],
+    ),
+    (
+        "glazes_an_rgb",
+        "use nanospectra::{color::RgbBands, color::Srgb, matter::{Glass, N_BK7}};
+        fn main() { println!(\"{:?}\", N_BK7.indices::<3, RgbBands<Srgb>>()); }",
+        &["Srgb>` has no wavelengths", "work the matter out on a grid"],
+    ),
+    (
+        "dyes_an_rgb",
+        "use nanospectra::{Light, Reflectance, color::RgbBands, color::Srgb, matter::Dye};
+        fn main() {
+            let paper = Reflectance::<3, RgbBands<Srgb>>::flat(0.5);
+            println!(\"{:?}\", Dye::new(&paper, &paper, &Light::flat(1.0), 0.5));
+        }",
+        &["Srgb>` has no wavelengths", "work the matter out on a grid"],
+    ),
+    (
+        "asks_an_rgb_for_a_center",
+        "use nanospectra::{Bands, Light};
+        fn main() {}
+        pub fn first<const N: usize, G: Bands>(_: Light<N, G>) -> f32 { Light::<N, G>::center_nm(0) }",
+        &["center_nm", "`G` has no wavelengths"],
+    ),
+    (
+        "has_four_of_red_green_and_blue",
+        "use nanospectra::{Light, color::RgbBands, color::Srgb};
+        fn main() { println!(\"{:?}\", Light::<4, RgbBands<Srgb>>::flat(1.0)); }",
+        &["red, green and blue are three bands"],
+    ),
+    (
+        "takes_the_color_of_another_space",
+        "use nanospectra::{Light, color::{DisplayP3, Rgb, RgbBands, Srgb}};
+        fn main() {
+            println!(\"{:?}\", Light::<3, RgbBands<Srgb>>::from_rgb(Rgb::<DisplayP3>::new(1.0, 1.0, 1.0)));
+        }",
+        &["mismatched types", "Srgb>`, found `Rgb<DisplayP3>`"],
+    ),
+    (
         "shines_a_spectrum_onto_an_rgb",
-        "use nanospectra::{Light, Reflectance, color::Srgb, path::RgbBands};
+        "use nanospectra::{Light, Reflectance, color::RgbBands, color::Srgb};
         fn main() {}
         pub fn shine(sun: Light<3>, red: Reflectance<3, RgbBands<Srgb>>) {
             println!(\"{:?}\", sun.onto(&red).price());

@@ -86,7 +86,7 @@ struct OneNode;
 impl Grid for OneNode {
     const FIRST: f64 = 399.5;
     const LAST: f64 = 400.5;
-    const CENTERD: bool = false;
+    const CENTERED: bool = false;
 }
 
 #[test]

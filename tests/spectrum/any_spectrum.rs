@@ -66,7 +66,7 @@ fn near_f64(a: f64, b: f64, share: f64) -> Result<(), TestCaseError> {
 
 /// The power without the rounding of its own sum.
 fn power_of<const N: usize, G: Grid>(light: &Spectrum<Power, N, G>) -> f64 {
-    let bins = if G::CENTERD { N - 1 } else { N } as f64;
+    let bins = if G::CENTERED { N - 1 } else { N } as f64;
     light.values().iter().map(|v| f64::from(*v)).sum::<f64>() * (G::LAST - G::FIRST) / bins
 }
 

@@ -155,7 +155,7 @@ fn lines(choice: &Choice) -> String {
         "folded spline" => folded("Spline"),
         "observer parabola" => unfolded("Parabola"),
         "averages+tails" => unfolded("Step"),
-        _ => "static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::of_rgb();\n\
+        _ => "static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::standard();\n\
               \n\
               fn xyz(light: Rgb<Srgb>, surface: Rgb<Srgb>) -> [f32; 3] {\n    \
               let (light, surface) = (Light::<3, RgbBands<Srgb>>::from_rgb(light), Reflectance::from_rgb(surface));\n    \

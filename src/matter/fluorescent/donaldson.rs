@@ -1,6 +1,6 @@
 //! Fluorescent matter of any kind, by its bispectral matrix.
 
-use crate::grid::{Bins, Grid, by_fields};
+use crate::grid::{Bands, Bins, Grid, by_fields};
 use crate::matter::fluorescent::Dye;
 use crate::matter::fluorescent::dye::{FluorescenceError, ROUNDING, wavelength};
 use crate::price::{Effects, Price, Priced};
@@ -27,7 +27,7 @@ pub struct Donaldson<const N: usize, const P: usize, G = Bins<380, 730>> {
 
 by_fields!([const N: usize, const P: usize, G] Donaldson<N, P, G>, "Donaldson": columns);
 
-impl<const N: usize, const P: usize, G: Grid> Donaldson<N, P, G> {
+impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
     const NONE: Self = {
         assert!(P == N * (N + 1) / 2, "a Donaldson matrix of N bins has N * (N + 1) / 2 pairs");
         Donaldson { columns: [0.0; P], grid: PhantomData }
@@ -56,7 +56,10 @@ impl<const N: usize, const P: usize, G: Grid> Donaldson<N, P, G> {
     /// assert_eq!(Donaldson::<3, 6, Grid>::new(&matrix), Err(FluorescenceError::Photons { bin: 0 }));
     /// # Ok::<(), FluorescenceError>(())
     /// ```
-    pub const fn new(matrix: &[[f32; N]; N]) -> Result<Self, FluorescenceError> {
+    pub const fn new(matrix: &[[f32; N]; N]) -> Result<Self, FluorescenceError>
+    where
+        G: Grid,
+    {
         let mut packed = Self::NONE;
         let (mut next, mut i) = (0, 0);
         while i < N {

@@ -1,6 +1,6 @@
 //! Matter that absorbs light at one wavelength and emits it at a longer one.
 
-use crate::grid::{Bins, Grid, Layout, by_fields};
+use crate::grid::{Bands, Bins, Grid, Layout, by_fields};
 use crate::observer::Path;
 use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Outside, Power, Spectrum};
@@ -105,7 +105,7 @@ impl core::error::Error for FluorescenceError {}
 /// What rounding may add to a sum that must not exceed 1.
 pub(super) const ROUNDING: f64 = 1e-6;
 
-impl<const N: usize, G: Grid> Dye<N, G> {
+impl<const N: usize, G: Bands> Dye<N, G> {
     /// From what can be measured: the reflectance without the glow, the share of the light of each bin that the dye
     /// absorbs (0..=1), the emission (power per nm, in any unit), and the quantum yield (photons emitted for each
     /// one absorbed, 0..=1).
@@ -122,7 +122,10 @@ impl<const N: usize, G: Grid> Dye<N, G> {
         absorption: &Spectrum<Factor, N, G>,
         emission: &Spectrum<Power, N, G>,
         quantum_yield: f32,
-    ) -> Result<Self, FluorescenceError> {
+    ) -> Result<Self, FluorescenceError>
+    where
+        G: Grid,
+    {
         if !(0.0 <= quantum_yield && quantum_yield <= 1.0) {
             return Err(FluorescenceError::QuantumYield);
         }
@@ -167,7 +170,10 @@ impl<const N: usize, G: Grid> Dye<N, G> {
     /// the energy of what is emitted is kept. Beyond this grid the reflectance is held; nothing is absorbed or
     /// emitted there.
     #[must_use]
-    pub fn resample<const M: usize, H: Grid>(&self) -> Dye<M, H> {
+    pub fn resample<const M: usize, H: Grid>(&self) -> Dye<M, H>
+    where
+        G: Grid,
+    {
         let reflects = Spectrum::<Factor, N, G>::from_bins(self.reflects).resample::<M, H>(Outside::Hold);
         let emits = Spectrum::<Power, N, G>::from_bins(self.emits).resample::<M, H>(Outside::Zero);
         // Absorption is a total over each bin: per nm it is an average.

@@ -1,6 +1,6 @@
 //! Retarders: plates that delay light of one polarization against the other.
 
-use crate::grid::{Bins, Grid, Layout, by_fields};
+use crate::grid::{Bands, Bins, Grid, Layout, by_fields};
 use crate::math::{cos_turns, sin_turns};
 use crate::matter::Mueller;
 use crate::spectrum::{Factor, Spectrum};
@@ -27,7 +27,7 @@ impl<const N: usize, G> Retarder<N, G> {
     }
 }
 
-impl<const N: usize, G: Grid> Retarder<N, G> {
+impl<const N: usize, G: Bands> Retarder<N, G> {
     /// A plate of one path difference, in nm: 137.5 for a quarter-wave plate at 550 nm.
     ///
     /// Within a bin its retardance falls with the wavelength; what is kept is the mean effect over the bin, so light
@@ -38,7 +38,10 @@ impl<const N: usize, G: Grid> Retarder<N, G> {
     /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins of the
     /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarization.rs`).
     #[must_use]
-    pub const fn from_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self {
+    pub const fn from_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self
+    where
+        G: Grid,
+    {
         let mut elements = [[0.0; 4]; N];
         let mut k = 0;
         while k < N {

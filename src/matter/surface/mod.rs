@@ -13,6 +13,6 @@ pub use brdf::{Brdf, Lambert};
 pub use fresnel::{Amplitudes, Components, Conductor, Dielectric};
 pub use glass::{Cauchy, FUSED_SILICA, Glass, N_BK7, N_SF11, Sellmeier};
 pub use microfacet::{Microfacet, TrowbridgeReitz, VisibleNormals};
-pub use oren_nayar::{Bands, OrenNayar};
+pub use oren_nayar::OrenNayar;
 pub use reflector::Reflector;
 pub use smooth::{Smooth, Specular};

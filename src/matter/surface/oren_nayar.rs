@@ -1,11 +1,9 @@
 //! Rough matt surfaces.
 
 use crate::geometry::{Direction, Integrand};
-use crate::grid::Grid;
 use crate::math::{Fast, Math};
 use crate::math::{at_least, at_most};
 use crate::matter::surface::brdf::{Brdf, visible};
-use crate::spectrum::Spectrum;
 use core::f32::consts::FRAC_1_PI;
 
 /// A rough matt surface, of V-shaped grooves: plaster, clay, the moon. Brighter towards the light than
@@ -34,15 +32,15 @@ const GRAZING: f32 = 0.287_793_4;
 /// 2/3 - 28 / (15 pi): the same in the mean of all directions.
 const MEAN: f32 = 0.072_488_21;
 
-impl<V: Bands> OrenNayar<V> {
+impl<V: Integrand> OrenNayar<V> {
     /// `albedo` is the reflectance of a groove's sides, 0..=1, and `roughness` from 0 (flat) to 1; what is outside
     /// counts as the nearer end.
     #[must_use]
     pub fn new(albedo: V, roughness: f32) -> Self {
         let roughness = at_most(at_least(roughness, 0.0), 1.0);
         let mean = (1.0 + MEAN * roughness) / (1.0 + GRAZING * roughness);
-        let albedo = albedo.each(|r| at_most(at_least(r, 0.0), 1.0));
-        let multiple = albedo.each(|r| r * r * mean / (1.0 - r * (1.0 - mean)));
+        let albedo = albedo.map(|r| at_most(at_least(r, 0.0), 1.0));
+        let multiple = albedo.map(|r| r * r * mean / (1.0 - r * (1.0 - mean)));
         OrenNayar { albedo, multiple, roughness }
     }
 }
@@ -76,24 +74,4 @@ fn lost(w: Direction) -> f32 {
     let cubes = cosine * (1.0 + sine + sine * sine) / (1.0 + sine);
     let gained = sine * (theta - sine * cosine) + 2.0 / 3.0 * (sine * cubes - sine);
     at_least(GRAZING - gained * FRAC_1_PI, 0.0)
-}
-
-/// A number, or the numbers of a spectrum.
-pub trait Bands: Integrand {
-    /// Each number by itself.
-    #[must_use]
-    fn each(self, f: impl Fn(f32) -> f32) -> Self;
-}
-
-impl Bands for f32 {
-    fn each(self, f: impl Fn(f32) -> f32) -> Self {
-        f(self)
-    }
-}
-
-impl<Q, const N: usize, G: Grid> Bands for Spectrum<Q, N, G> {
-    fn each(mut self, f: impl Fn(f32) -> f32) -> Self {
-        self.values_mut().iter_mut().for_each(|value| *value = f(*value));
-        self
-    }
 }

@@ -1,7 +1,7 @@
 //! What a boundary reflects at an angle: the factor in front of mirrors and microfacets, as numbers or spectra.
 
 use crate::geometry::Integrand;
-use crate::grid::Grid;
+use crate::grid::Bands;
 use crate::matter::surface::fresnel::{Conductor, Dielectric};
 use crate::spectrum::{Factor, Index, Spectrum};
 
@@ -33,7 +33,7 @@ impl Reflector for f32 {
     }
 }
 
-impl<const N: usize, G: Grid> Reflector for Spectrum<Factor, N, G> {
+impl<const N: usize, G: Bands> Reflector for Spectrum<Factor, N, G> {
     type Value = Self;
 
     fn reflectance(&self, _: f32) -> Self {
@@ -57,7 +57,7 @@ impl Reflector for Conductor {
     }
 }
 
-impl<const N: usize, G: Grid> Reflector for Dielectric<Spectrum<Index, N, G>> {
+impl<const N: usize, G: Bands> Reflector for Dielectric<Spectrum<Index, N, G>> {
     type Value = Spectrum<Factor, N, G>;
 
     fn reflectance(&self, cos_i: f32) -> Self::Value {
@@ -65,7 +65,7 @@ impl<const N: usize, G: Grid> Reflector for Dielectric<Spectrum<Index, N, G>> {
     }
 }
 
-impl<const N: usize, G: Grid> Reflector for Conductor<Spectrum<Index, N, G>> {
+impl<const N: usize, G: Bands> Reflector for Conductor<Spectrum<Index, N, G>> {
     type Value = Spectrum<Factor, N, G>;
 
     fn reflectance(&self, cos_i: f32) -> Self::Value {

@@ -1,6 +1,6 @@
 //! Volumes that absorb: colored glass, dyed water, wine. Beer and Lambert's law, band by band.
 
-use crate::grid::{Bins, Grid, by_fields};
+use crate::grid::{Bands, Bins, Grid, by_fields};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
@@ -61,7 +61,7 @@ impl core::error::Error for AbsorberError {}
 
 by_fields!([const N: usize, G] Absorber<N, G>, "Absorber": per_m);
 
-impl<const N: usize, G: Grid> Absorber<N, G> {
+impl<const N: usize, G: Bands> Absorber<N, G> {
     /// From absorption coefficients in 1/m, to base e, each 0 or more.
     ///
     /// # Errors
@@ -126,17 +126,6 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
         Self::from_per_m(l_per_mol_cm.map(|epsilon| epsilon * mol_per_l * (100.0 * core::f32::consts::LN_10)))
     }
 
-    /// What air scatters out of a beam (Rayleigh), at 288.15 K and 101325 Pa. Thinner air is
-    /// [`times`](Self::times) its share of that density.
-    ///
-    /// For grids within 200..=2000 nm. Below, where air absorbs and does not only scatter, the formula has poles and
-    /// the coefficients mean nothing.
-    #[must_use]
-    pub fn air() -> Self {
-        let per_m = Spectrum::<Factor, N, G>::averaged(rayleigh_per_m);
-        Absorber { per_m: *per_m.values(), grid: core::marker::PhantomData }
-    }
-
     /// The coefficients, in 1/m.
     #[must_use]
     pub const fn per_m(&self) -> &[f32; N] {
@@ -182,6 +171,19 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
     #[must_use]
     pub fn absorbed_with<M: Math>(&self, path_m: f32) -> Spectrum<Factor, N, G> {
         Spectrum::from_bins(self.per_m.map(|sigma| -M::expm1(-depth(sigma, path_m))))
+    }
+}
+
+impl<const N: usize, G: Grid> Absorber<N, G> {
+    /// What air scatters out of a beam (Rayleigh), at 288.15 K and 101325 Pa. Thinner air is
+    /// [`times`](Self::times) its share of that density.
+    ///
+    /// For grids within 200..=2000 nm. Below, where air absorbs and does not only scatter, the formula has poles and
+    /// the coefficients mean nothing.
+    #[must_use]
+    pub fn air() -> Self {
+        let per_m = Spectrum::<Factor, N, G>::averaged(rayleigh_per_m);
+        Absorber { per_m: *per_m.values(), grid: core::marker::PhantomData }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A pane of glass that absorbs: a colored window, with both of its faces and all that goes to and fro in it.
 
-use crate::grid::{Bins, Grid, by_fields};
+use crate::grid::{Bands, Bins, by_fields};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::at_most;
@@ -54,7 +54,7 @@ pub struct Slab<const N: usize, G = Bins<380, 730>> {
     pub thickness_m: f32,
 }
 
-impl<const N: usize, G: Grid> Slab<N, G> {
+impl<const N: usize, G: Bands> Slab<N, G> {
     /// From what a spectrometer measures at right angles: the external transmittance of a slab of this index (its
     /// faces included) and `thickness_m` > 0.
     ///
@@ -211,7 +211,7 @@ by_fields!([const N: usize, G] Slab<N, G>, "Slab": index, absorber, thickness_m)
 /// assert!(internal_transmittance(&Reflectance::<1>::flat(0.95), &index).is_err()); // clear glass has 0.923
 /// # Ok::<(), nanospectra::matter::AbsorberError>(())
 /// ```
-pub fn internal_transmittance<const N: usize, G: Grid>(
+pub fn internal_transmittance<const N: usize, G: Bands>(
     external: &Spectrum<Factor, N, G>,
     index: &Spectrum<Index, N, G>,
 ) -> Result<Spectrum<Factor, N, G>, AbsorberError> {

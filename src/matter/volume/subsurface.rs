@@ -1,7 +1,7 @@
 //! Light that enters skin, milk or marble at one point and leaves at another: the reflectance profiles of Burley and
 //! of the classical dipole.
 
-use crate::grid::{Bins, Grid};
+use crate::grid::{Bands, Bins};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Math, sqrt};
@@ -68,7 +68,7 @@ pub struct Burley<const N: usize, G = Bins<380, 730>> {
     distance: [f32; N],
 }
 
-impl<const N: usize, G: Grid> Burley<N, G> {
+impl<const N: usize, G: Bands> Burley<N, G> {
     /// From the albedo, 0..=1, and the distance d >= 0 of each bin.
     pub const fn new(albedo: Reflectance<N, G>, distance: [f32; N]) -> Self {
         Burley { albedo, distance }
@@ -218,7 +218,7 @@ pub struct Dipole<const N: usize, G = Bins<380, 730>> {
     grid: core::marker::PhantomData<G>,
 }
 
-impl<const N: usize, G: Grid> Dipole<N, G> {
+impl<const N: usize, G: Bands> Dipole<N, G> {
     /// From the absorption and the reduced scattering coefficient of each bin, both 0..=1e18 (else: NaN), and the
     /// index of refraction `eta` of the volume over that outside, 1..=3 (else all is NaN); what light meets inside at the surface by
     /// the exact mean of Fresnel's equations.

@@ -1,10 +1,10 @@
 //! Light on its way: factors, fluorescence, afterglow, Stokes vectors, RGB; walked and folded.
 
 use super::hash::{Hash, Random};
+use nanospectra::color::RgbBands;
 use nanospectra::color::{Rgb, Srgb};
 use nanospectra::matter::{Donaldson, Dye, Mirror, Phosphor, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::path::RgbBands;
 use nanospectra::sensor::{Bend, DeadTime};
 use nanospectra::{Light, Power, Reflectance};
 
@@ -69,7 +69,7 @@ fn polarization(hash: &mut Hash) {
 }
 
 fn rgb(hash: &mut Hash) {
-    static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::of_rgb();
+    static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::standard();
     let mut random = Random(0x5eed_0369);
     for _ in 0..64 {
         let [[r, g, b], [s, h, c]]: [[f32; 3]; 2] = [(); 2].map(|()| random.bins());

@@ -111,7 +111,7 @@ pub fn filters(outcomes: &[Outcome]) -> Table {
         Column::figure("negative_40nm", "negative %"),
     ];
     let title = "Narrow filters: CIEDE2000, and how often X, Y or Z is negative";
-    let about = "Gaussians 10, 20 and 40 nm wide at half their height, centerd on 420, 425 .. 680 nm, under the lamps \
+    let about = "Gaussians 10, 20 and 40 nm wide at half their height, centered on 420, 425 .. 680 nm, under the lamps \
         of all tables: what a smooth curve through averages is not made for.";
     table("filters", title, about, &[&columns], hard(outcomes), |outcome| {
         let filters = outcome.score.filters.iter();

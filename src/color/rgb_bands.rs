@@ -1,14 +1,18 @@
 //! Light and surfaces as RGB: three bands, and what that costs in accuracy.
 
 use crate::color::{Rgb, RgbSpace};
-use crate::observer::Observer;
-use crate::spectrum::{Power, Spectrum};
+use crate::grid::{Bands, Kind};
+use crate::observer::StandardObserver;
+use crate::spectrum::Spectrum;
 use core::marker::PhantomData;
 
 /// Red, green and blue of the space `S` in place of a [`Grid`](crate::Grid): light `Light<3, RgbBands<S>>` and
-/// surfaces `Reflectance<3, RgbBands<S>>` go through the same paths as spectra.
+/// surfaces `Reflectance<3, RgbBands<S>>` go through the same arithmetic, BRDFs, radiometry and paths as spectra.
 ///
-/// It is no grid: no wavelengths belong to the three numbers, so samples, lines and resampling are not to be had.
+/// They are [`Bands`], and no grid: no wavelengths belong to the three numbers, so samples, lines, glass, films and dyes
+/// are not to be had. [`from_rgb`](crate::Spectrum::from_rgb) and
+/// [`Observer::standard`](crate::Observer::standard) have the same names for spectra, so that one alias decides what a
+/// program computes with.
 ///
 /// # Accuracy
 /// Products of colors are not colors of products. The 99 samples of CIE 224 under FL1 to FL12, each sample as its
@@ -16,11 +20,10 @@ use core::marker::PhantomData;
 /// and up to 12.3 in ACEScg (`tests/path/chain.rs`).
 ///
 /// ```
-/// use nanospectra::color::{Rgb, Srgb};
-/// use nanospectra::path::RgbBands;
+/// use nanospectra::color::{Rgb, RgbBands, Srgb};
 /// use nanospectra::{Light, Observer, Power, Reflectance};
 ///
-/// static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::of_rgb();
+/// static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::standard();
 /// let lamp = Light::<3, RgbBands<Srgb>>::from_rgb(Rgb::new(1.0, 1.0, 1.0));
 /// let red = Reflectance::from_rgb(Rgb::new(0.5, 0.0, 0.0));
 /// let [_, y, _] = EYE.sees(lamp.onto(&red));
@@ -29,25 +32,12 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug)]
 pub struct RgbBands<S>(PhantomData<S>);
 
-impl<Q, S: RgbSpace> Spectrum<Q, 3, RgbBands<S>> {
-    /// The color of a light, or that of a surface under the white of the space; linear.
-    #[must_use]
-    pub const fn from_rgb(rgb: Rgb<S>) -> Self {
-        Spectrum::unchecked(rgb.to_array())
-    }
-
-    /// As a color; linear.
-    #[must_use]
-    pub const fn to_rgb(&self) -> Rgb<S> {
-        let [r, g, b] = self.0;
-        Rgb::new(r, g, b)
-    }
+impl<S: RgbSpace> Bands for RgbBands<S> {
+    const KIND: Kind = Kind::Colors(3);
 }
 
-impl<S: RgbSpace> Observer<3, 3, Power, RgbBands<S>> {
-    /// The eye that reads RGB as XYZ, Y = 100 for (1, 1, 1): the matrix of the space.
-    #[must_use]
-    pub const fn of_rgb() -> Self {
+impl<S: RgbSpace> StandardObserver<3> for RgbBands<S> {
+    const STANDARD: [[f32; 3]; 3] = {
         let mut rows = S::TO_XYZ;
         let mut row = 0;
         while row < 3 {
@@ -58,6 +48,16 @@ impl<S: RgbSpace> Observer<3, 3, Power, RgbBands<S>> {
             }
             row += 1;
         }
-        Observer::unchecked(rows)
+        rows
+    };
+}
+
+impl<Q, S: RgbSpace> Spectrum<Q, 3, RgbBands<S>> {
+    /// As a color; linear.
+    #[must_use]
+    #[inline]
+    pub const fn to_rgb(&self) -> Rgb<S> {
+        let [r, g, b] = self.0;
+        Rgb::new(r, g, b)
     }
 }

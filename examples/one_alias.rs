@@ -1,0 +1,50 @@
+//! One program that renders in red, green and blue or in 31 bins of wavelengths, as one line says.
+//!
+//! ```text
+//! cargo run --example one_alias
+//! ```
+
+use nanospectra::color::{Rgb, Srgb, Xyz};
+use nanospectra::geometry::Direction;
+use nanospectra::matter::{Brdf, Microfacet, OrenNayar, TrowbridgeReitz};
+use nanospectra::radiometry::Intensity;
+
+/// Three floats: as fast as can be, and off where colors meet colors.
+#[allow(unused, reason = "the one that is not chosen")]
+mod in_rgb {
+    use nanospectra::color::{RgbBands, Srgb};
+    pub type Light = nanospectra::Light<3, RgbBands<Srgb>>;
+    pub type Reflectance = nanospectra::Reflectance<3, RgbBands<Srgb>>;
+    pub type Eye = nanospectra::Observer<3, 3, nanospectra::Power, RgbBands<Srgb>>;
+}
+
+/// 31 bins of wavelengths.
+#[allow(unused, reason = "the one that is not chosen")]
+mod in_bins {
+    pub type Light = nanospectra::Light<31>;
+    pub type Reflectance = nanospectra::Reflectance<31>;
+    pub type Eye = nanospectra::Observer<3, 31, nanospectra::Power>;
+}
+
+// The line. All that follows compiles for both.
+use in_bins::{Eye, Light, Reflectance};
+
+static EYE: Eye = Eye::standard();
+
+fn main() {
+    let color = Rgb::<Srgb>::new;
+    let lamp = Intensity::new(Light::from_rgb(color(30.0, 20.0, 10.0)));
+    let clay = OrenNayar::new(Reflectance::from_rgb(color(0.5, 0.15, 0.05)), 0.8);
+    let glaze = Microfacet { facets: TrowbridgeReitz::new(0.4), boundary: Reflectance::flat(0.04) };
+    let pane = Reflectance::from_rgb(color(0.6, 0.9, 0.7));
+
+    println!("A clay tile under a warm lamp, seen through greenish glass from straight above:");
+    for degrees in [0.0f32, 20.0, 40.0, 60.0, 80.0] {
+        let (wo, wi) = (Direction::NORMAL, Direction::spherical(degrees.to_radians(), 0.0));
+        let arriving = lamp.at_distance(2.0, wi.cos_theta());
+        let leaving = arriving.value() * (clay.f(wo, wi) + glaze.f(wo, wi));
+        let [x, y, z] = EYE.sees(leaving.through(&pane));
+        let [r, g, b] = Rgb::<Srgb>::from_xyz(Xyz::new(x, y, z).scaled(0.01)).to_array();
+        println!("{degrees:>4} degrees: Y {y:7.3}, sRGB {r:.4} {g:.4} {b:.4}");
+    }
+}
