@@ -5,7 +5,7 @@
 use criterion::{BenchmarkId, Criterion};
 use model::cri::{Method, Mode};
 use model::{cct, delta_e, lab, transfer};
-use nanospectra::color::transfer::{Srgb, Transfer};
+use nanospectra::color::transfer::{SrgbTransfer, Transfer};
 use nanospectra::color::{Lab, Uv1960, Xy, Xyz, ciede2000, cri, dominant_wavelength, tm30};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Fine, Interpolation, Outside, Power, light};
@@ -42,8 +42,8 @@ fn point(c: &mut Criterion, lamp: &Fine<Power>) {
     near("CIEDE2000", ciede2000(one, two), truth, 2e-6);
     bench(c, "ciede2000", 1, || ciede2000(black_box(one), black_box(two)));
 
-    near("sRGB", Srgb::encode(0.5), transfer::srgb_encode(0.5), 1e-6);
-    bench(c, "srgb-encode", 1, || Srgb::encode(black_box(0.5)));
+    near("sRGB", SrgbTransfer::encode(0.5), transfer::srgb_encode(0.5), 1e-6);
+    bench(c, "srgb-encode", 1, || SrgbTransfer::encode(black_box(0.5)));
 
     let white = Xy::new(1.0 / 3.0, 1.0 / 3.0);
     let dominant = || dominant_wavelength(black_box(xy), white, &CIE_1931);

@@ -13,8 +13,11 @@ use nanospectra::{Curve, Factor, Interpolation, Nodes, Observer, Outside, Reflec
 type Grid = Nodes<400, 700>;
 
 /// sRGB is seen under D65: who looks, under what light and on which bands. The compiler works it out.
-static VIEWING: Viewing<31, Grid> =
-    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+static IN_DAYLIGHT: Observer<3, 31, Factor, Grid> = CIE_1931
+    .under(&D65.interpolate(Interpolation::Linear, Outside::Zero))
+    .fold(Curve::Step)
+    .with_white_y(100.0);
+static VIEWING: Viewing<31, Grid> = Viewing::new(&IN_DAYLIGHT);
 static SIGMOID: Sigmoid<31, Grid> = Sigmoid::new(&VIEWING);
 
 /// The same eye at home, under an incandescent lamp (CIE illuminant A).
@@ -46,8 +49,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     assert!(paint.values().iter().all(|share| (0.0..=1.0).contains(share)));
     // IEC 61966-2-1: the luminance of an sRGB color is 0.2126 R + 0.7152 G + 0.0722 B, linear.
     let y = 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
-    let [_, seen, _] = VIEWING.eye().sees(&paint);
-    assert!((seen - y).abs() < 1e-4);
+    let [_, seen, _] = IN_DAYLIGHT.sees(&paint);
+    assert!((seen - 100.0 * y).abs() < 1e-2);
     // CIE 15:2018: illuminant A has XYZ 109.85, 100, 35.58.
     assert!((white.x - 109.85).abs() < 0.01 && (white.z - 35.58).abs() < 0.01);
     Ok(())

@@ -2,8 +2,9 @@
 
 /// CIE tristimulus values.
 ///
-/// Y is 100 for a perfect white surface and for relative lights ([`Xyz::with_y`]), and in
-/// lm, lx or cd/m2 for absolute ones (through [`KM`](crate::observer::KM)).
+/// Y is 100 for a perfect white surface and for a light that is given relative to itself ([`Xyz::with_y`]): all
+/// conversions to and from RGB, Oklab and displays are on this scale. Absolute values are in lm, lx or cd/m2
+/// (through [`KM`](crate::observer::KM)).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Xyz {

@@ -1,7 +1,7 @@
 //! CIECAM02 to its uniform space CAM02-UCS, for the one viewing condition of TM-30.
 
 use crate::color::matrix::{Matrix, apply, inverse64, product64, rounded};
-use crate::color::{Cat02, Cones, Xyz};
+use crate::color::{Cat02, ConeResponses, Xyz};
 use crate::math::{Math, Portable, cbrt, sqrt};
 
 /// Adapting luminance 100 cd/m2, background Y 20, average surround, complete adaptation.

@@ -12,7 +12,7 @@ use crate::math::{Math, cos_turns, sin_turns, sqrt};
 /// kL = 2 for textiles. All above zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Parametric {
+pub struct ParametricFactors {
     /// kL, for lightness.
     pub k_l: f32,
     /// kC, for chroma.
@@ -21,9 +21,9 @@ pub struct Parametric {
     pub k_h: f32,
 }
 
-impl Default for Parametric {
+impl Default for ParametricFactors {
     fn default() -> Self {
-        Parametric { k_l: 1.0, k_c: 1.0, k_h: 1.0 }
+        ParametricFactors { k_l: 1.0, k_c: 1.0, k_h: 1.0 }
     }
 }
 
@@ -48,7 +48,7 @@ impl Default for Parametric {
 #[cfg(feature = "libm")]
 #[must_use]
 pub fn ciede2000(x: Lab, y: Lab) -> f32 {
-    ciede2000_with::<Portable>(x, y, Parametric::default())
+    ciede2000_with::<Portable>(x, y, ParametricFactors::default())
 }
 
 #[cfg(feature = "libm")]
@@ -73,7 +73,7 @@ impl Xyz {
 
 /// [`ciede2000`] by the functions of `M`, with parametric factors.
 #[must_use]
-pub fn ciede2000_with<M: Math>(x: Lab, y: Lab, k: Parametric) -> f32 {
+pub fn ciede2000_with<M: Math>(x: Lab, y: Lab, k: ParametricFactors) -> f32 {
     // Grays are made to differ more in a: a' = (1 + G) a.
     let mean = 0.5 * (x.chroma() + y.chroma());
     let stretch = 1.5 - 0.5 * saturation(mean);

@@ -53,7 +53,7 @@ pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
 /// The weights of [`cie94`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Cie94 {
+pub enum Cie94Weights {
     /// kL = 1, K1 = 0.045, K2 = 0.015
     GraphicArts,
     /// kL = 2, K1 = 0.048, K2 = 0.014
@@ -93,11 +93,11 @@ pub fn hyab(x: Lab, y: Lab) -> f32 {
 /// # Reference
 /// CIE 116-1995.
 #[must_use]
-pub fn cie94(reference: Lab, sample: Lab, weights: Cie94) -> f32 {
+pub fn cie94(reference: Lab, sample: Lab, weights: Cie94Weights) -> f32 {
     let Polar { c1, dc, dh, .. } = polar(reference, sample, 1.0);
     let (k_l, k1, k2) = match weights {
-        Cie94::GraphicArts => (1.0, 0.045, 0.015),
-        Cie94::Textiles => (2.0, 0.048, 0.014),
+        Cie94Weights::GraphicArts => (1.0, 0.045, 0.015),
+        Cie94Weights::Textiles => (2.0, 0.048, 0.014),
     };
     length((sample.l - reference.l) / k_l, dc / (1.0 + k1 * c1), dh / (1.0 + k2 * c1))
 }

@@ -16,7 +16,7 @@ const MIDDLE_NM: f32 = 555.0;
 /// The spectral color that, mixed with white, gives a color.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Dominant {
+pub struct DominantWavelength {
     /// Dominant wavelength in nm; for a purple the complementary one, negative: -499.6 nm.
     pub nm: f32,
     /// Excitation purity: the distance from the white over that of the boundary (the spectrum
@@ -45,7 +45,7 @@ pub struct Dominant {
 /// # Ok::<(), &str>(())
 /// ```
 #[must_use]
-pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Option<Dominant> {
+pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Option<DominantWavelength> {
     let ray = [sample.x - white.x, sample.y - white.y];
     let length = dot(ray, ray);
     if length.is_nan() || length < ACHROMATIC * ACHROMATIC {
@@ -53,17 +53,17 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     }
     let locus = Locus { eye, white };
     if let Some((nm, reach)) = locus.cut(ray) {
-        return Some(Dominant { nm, purity: share(length, reach) });
+        return Some(DominantWavelength { nm, purity: share(length, reach) });
     }
     // A deep red or violet light lies on the fold at an end of the locus, on or beyond the purple line, where a
     // ray that just touches the fold cuts nothing.
     let purple = locus.purple(ray);
     let (touched, reach, angle) = locus.nearest(ray)?;
     if angle < TOUCH && purple.is_none_or(|purple| length > purple * (1.0 - 1e-6)) {
-        return Some(Dominant { nm: touched, purity: share(length, reach) });
+        return Some(DominantWavelength { nm: touched, purity: share(length, reach) });
     }
     let (nm, _) = locus.cut([-ray[0], -ray[1]])?;
-    Some(Dominant { nm: -nm, purity: share(length, purple?) })
+    Some(DominantWavelength { nm: -nm, purity: share(length, purple?) })
 }
 
 /// A purity; what rounding puts beyond a spectral color's 1 is taken off.

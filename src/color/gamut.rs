@@ -6,7 +6,7 @@ use crate::color::{Rgb, RgbSpace};
 /// A color brought into the gamut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Mapped<S> {
+pub struct GamutMapped<S> {
     /// The color to show.
     pub rgb: Rgb<S>,
     /// Was it in the gamut, and so is shown as it is?
@@ -23,7 +23,7 @@ impl<S: RgbSpace> Rgb<S> {
     /// Each component by itself into 0..=1: simple, and keeps neither hue nor luminance. NaN
     /// stays NaN.
     #[must_use]
-    pub fn clip(self) -> Mapped<S> {
+    pub fn clip(self) -> GamutMapped<S> {
         self.mapped(self.to_array().map(|c| c.clamp(0.0, 1.0)))
     }
 
@@ -31,7 +31,7 @@ impl<S: RgbSpace> Rgb<S> {
     /// the display. A chromaticity it does not have (a component below zero) stays outside:
     /// desaturate or clip after.
     #[must_use]
-    pub fn dim(self) -> Mapped<S> {
+    pub fn dim(self) -> GamutMapped<S> {
         let largest = self.r.max(self.g).max(self.b);
         if largest > 1.0 {
             self.mapped(self.to_array().map(|c| c / largest))
@@ -52,7 +52,7 @@ impl<S: RgbSpace> Rgb<S> {
     /// assert!((shown.luminance() - cyan.luminance()).abs() < 1e-6);
     /// ```
     #[must_use]
-    pub fn desaturate(self) -> Mapped<S> {
+    pub fn desaturate(self) -> GamutMapped<S> {
         let gray = self.luminance();
         if gray >= 1.0 {
             return self.mapped([1.0; 3]);
@@ -75,7 +75,7 @@ impl<S: RgbSpace> Rgb<S> {
         self.mapped(self.to_array().map(|c| (gray + keep * (c - gray)).clamp(0.0, 1.0)))
     }
 
-    fn mapped(self, [r, g, b]: [f32; 3]) -> Mapped<S> {
-        Mapped { rgb: Rgb::new(r, g, b), was_inside: self.in_gamut() }
+    fn mapped(self, [r, g, b]: [f32; 3]) -> GamutMapped<S> {
+        GamutMapped { rgb: Rgb::new(r, g, b), was_inside: self.in_gamut() }
     }
 }

@@ -42,8 +42,8 @@ pub struct Lch {
 }
 
 impl Xyz {
-    /// CIELAB relative to `white`, which is on the same scale as the color (both with Y = 100
-    /// for a perfect white, or both with Y = 1).
+    /// CIELAB relative to `white`, which is on the same scale as the color: both with Y = 100 for a perfect
+    /// white surface, or both in cd/m2.
     ///
     /// Negative tristimulus values are on the straight part of the curve and stay finite.
     /// `None` when there is nothing to be relative to: a component of the white is not above

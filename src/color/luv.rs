@@ -24,7 +24,7 @@ impl Xyz {
     /// is zero.
     ///
     /// # Accuracy
-    /// 6e-5 on real colors (`tests/color/spaces.rs`).
+    /// 7e-5 on real colors (`tests/color/spaces.rs`).
     ///
     /// # Reference
     /// ISO/CIE 11664-5:2016, with the exact 216/24389 and 24389/27.

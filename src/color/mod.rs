@@ -26,16 +26,16 @@ mod tm30;
 pub mod transfer;
 
 pub use crate::tristimulus::{Uv1960, Uv1976, Xy, Xyz};
-pub use adaptation::{Adaptation, Bradford, Cat02, Cat16, Cones, VonKries};
+pub use adaptation::{Adaptation, Bradford, Cat02, Cat16, ConeResponses, VonKries};
 pub use cct::Cct;
 #[cfg(feature = "libm")]
 pub use ciede2000::ciede2000;
-pub use ciede2000::{Parametric, ciede2000_with};
+pub use ciede2000::{ParametricFactors, ciede2000_with};
 #[cfg(feature = "libm")]
 pub use cri::{Cri, cri};
-pub use difference::{Cie94, cie76, cie94, cmc, hyab};
-pub use dominant::{Dominant, dominant_wavelength};
-pub use gamut::Mapped;
+pub use difference::{Cie94Weights, cie76, cie94, cmc, hyab};
+pub use dominant::{DominantWavelength, dominant_wavelength};
+pub use gamut::GamutMapped;
 pub use lab::{Lab, Lch};
 pub use luv::Luv;
 pub use oklab::Oklab;

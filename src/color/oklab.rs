@@ -4,7 +4,7 @@ use crate::color::Xyz;
 use crate::color::matrix::{Matrix, Matrix64, apply, inverse64, rounded};
 use crate::math::cbrt;
 
-/// XYZ (D65, Y = 1) to the cone responses of Oklab.
+/// X, Y, Z with Y = 1 for the white, D65, to the cone responses of Oklab.
 const TO_CONES: Matrix64 = [
     [0.818_933_010_1, 0.361_866_742_4, -0.128_859_713_7],
     [0.032_984_543_6, 0.929_311_871_5, 0.036_145_638_7],
@@ -21,7 +21,7 @@ const FROM_CONES: Matrix = rounded(&inverse64(&TO_CONES));
 const OKLAB: Matrix = rounded(&TO_OKLAB);
 const FROM_OKLAB: Matrix = rounded(&inverse64(&TO_OKLAB));
 
-/// A color in Oklab: made for D65 and a display whose white has Y = 1.
+/// A color in Oklab, whose white is D65.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Oklab {
@@ -34,25 +34,24 @@ pub struct Oklab {
 }
 
 impl Xyz {
-    /// Oklab of a color seen under D65 and scaled to Y = 1 for the white: for the usual
-    /// Y = 100 write `xyz.scaled(0.01).oklab()`.
+    /// Oklab of a color seen under D65, with Y = 100 for the white.
     ///
     /// NaN stays NaN; components beyond 1e37 in size overflow.
     ///
     /// # Accuracy
-    /// 6e-7, and 2e-6 in XYZ for the way there and back (`tests/color/spaces.rs`).
+    /// 6e-7, and 2e-4 in XYZ for the way there and back (`tests/color/spaces.rs`).
     ///
     /// # Reference
     /// B. Ottosson, "A perceptual color space for image processing", 2020.
     ///
     /// ```
     /// # use nanospectra::color::Xyz;
-    /// let white = Xyz::new(0.950, 1.000, 1.089).oklab(); // the author's table: 1.000, 0.000, 0.000
+    /// let white = Xyz::new(95.0, 100.0, 108.9).oklab(); // the author's table: 1.000, 0.000, 0.000
     /// assert!((white.l - 1.0).abs() < 5e-4 && white.a.abs() < 5e-4 && white.b.abs() < 5e-4);
     /// ```
     #[must_use]
     pub fn oklab(self) -> Oklab {
-        let [l, m, s] = apply(&CONES, self.to_array());
+        let [l, m, s] = apply(&CONES, self.scaled(0.01).to_array());
         let [l, a, b] = apply(&OKLAB, [cbrt(l), cbrt(m), cbrt(s)]);
         Oklab { l, a, b }
     }
@@ -65,11 +64,11 @@ impl Oklab {
         Oklab { l, a, b }
     }
 
-    /// The tristimulus values under D65, Y = 1 for the white; components beyond 1e12 in size
+    /// The tristimulus values under D65, Y = 100 for the white; components beyond 1e12 in size
     /// overflow.
     #[must_use]
     pub fn xyz(self) -> Xyz {
         let [l, m, s] = apply(&FROM_OKLAB, [self.l, self.a, self.b]);
-        Xyz::from(apply(&FROM_CONES, [l * l * l, m * m * m, s * s * s]))
+        Xyz::from(apply(&FROM_CONES, [l * l * l, m * m * m, s * s * s])).scaled(100.0)
     }
 }

@@ -50,39 +50,29 @@ impl<S: RgbSpace> Rgb<S> {
         [self.r, self.g, self.b]
     }
 
-    /// The amounts of the primaries for a color with **Y = 1 for white**; no adaptation, so the
-    /// color is one seen under the white of the space (see [`Adaptation`](crate::color::Adaptation)).
+    /// The amounts of the primaries that give a color with Y = 100 for white.
     ///
-    /// NaN stays NaN; components beyond 1e37 in size overflow.
+    /// The color is not adapted: it is one seen under the white of the space. Adapt a color that is seen under
+    /// another white first (see [`Adaptation`](crate::color::Adaptation)). NaN stays NaN; components beyond 1e37
+    /// in size overflow.
     ///
     /// # Accuracy
-    /// 4e-7 (`tests/color/spaces.rs`).
+    /// 4e-7 (`tests/color/rgb_and_adaptation.rs`).
     #[must_use]
     pub const fn from_xyz(color: Xyz) -> Self {
-        let [r, g, b] = apply(&S::FROM_XYZ, color.to_array());
+        let [r, g, b] = apply(&S::FROM_XYZ, color.scaled(0.01).to_array());
         Rgb::new(r, g, b)
     }
 
-    /// [`Rgb::from_xyz`] of a color with **Y = 100 for white**, as the rest of the crate has it.
-    #[must_use]
-    pub const fn from_xyz_y100(color: Xyz) -> Self {
-        Self::from_xyz(color.scaled(0.01))
-    }
-
-    /// The tristimulus values, **Y = 1 for white**.
+    /// The tristimulus values, Y = 100 for white.
     #[must_use]
     pub const fn xyz(self) -> Xyz {
         let [x, y, z] = apply(&S::TO_XYZ, self.to_array());
-        Xyz { x, y, z }
+        Xyz { x, y, z }.scaled(100.0)
     }
 
-    /// The tristimulus values, **Y = 100 for white**.
-    #[must_use]
-    pub const fn xyz_y100(self) -> Xyz {
-        self.xyz().scaled(100.0)
-    }
-
-    /// The luminance, 1 for white.
+    /// The relative luminance, which is on the scale of the components: 1 for white, where Y of
+    /// [`xyz`](Self::xyz) is 100.
     #[must_use]
     pub const fn luminance(self) -> f32 {
         let [r, g, b] = S::TO_XYZ[1];
@@ -94,7 +84,7 @@ impl<S: RgbSpace> Rgb<S> {
     /// ```
     /// use nanospectra::color::{Rgb, Srgb, Xyz};
     /// // The gray half way to white for the eye (L* = 50, Y = 18.42) is #777777.
-    /// let gray = Rgb::<Srgb>::from_xyz_y100(Xyz::new(17.51, 18.42, 20.06));
+    /// let gray = Rgb::<Srgb>::from_xyz(Xyz::new(17.51, 18.42, 20.06));
     /// assert_eq!(gray.clip().rgb.encode().to_u8(), [0x77; 3]);
     /// ```
     #[cfg(feature = "libm")]

@@ -31,14 +31,15 @@ pub trait RgbSpace: Copy + Debug + 'static {
     /// The transfer function the space is used with.
     type Transfer: Transfer;
 
-    /// Linear RGB to XYZ, Y = 1 for white; row-major.
+    /// Linear RGB to X, Y, Z as standards print the matrix, row-major: its white has Y = 1, a hundredth of what
+    /// an [`Xyz`] has. [`Rgb::xyz`](crate::color::Rgb::xyz) applies it and multiplies by 100.
     const TO_XYZ: [[f32; 3]; 3] = rounded(&to_xyz64(&Self::PRIMARIES, Self::WHITE));
-    /// XYZ with Y = 1 for white to linear RGB; row-major.
+    /// The inverse of [`TO_XYZ`](Self::TO_XYZ), from X, Y, Z with Y = 1 for white to linear RGB.
     const FROM_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&to_xyz64(&Self::PRIMARIES, Self::WHITE)));
-    /// The white as a color, Y = 1: what to adapt to before [`Rgb::from_xyz`](crate::color::Rgb::from_xyz).
+    /// The white as a color, Y = 100: what to adapt to before [`Rgb::from_xyz`](crate::color::Rgb::from_xyz).
     const WHITE_XYZ: Xyz = {
         let [x, y, z] = column(Self::WHITE);
-        Xyz { x: x as f32, y: y as f32, z: z as f32 }
+        Xyz { x: (100.0 * x) as f32, y: (100.0 * y) as f32, z: (100.0 * z) as f32 }
     };
 }
 
@@ -70,12 +71,12 @@ const D65: [f64; 2] = [0.3127, 0.3290];
 impl RgbSpace for Srgb {
     const PRIMARIES: [[f64; 2]; 3] = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]];
     const WHITE: [f64; 2] = D65;
-    type Transfer = transfer::Srgb;
+    type Transfer = transfer::SrgbTransfer;
 }
 impl RgbSpace for DisplayP3 {
     const PRIMARIES: [[f64; 2]; 3] = [[0.680, 0.320], [0.265, 0.690], [0.150, 0.060]];
     const WHITE: [f64; 2] = D65;
-    type Transfer = transfer::Srgb;
+    type Transfer = transfer::SrgbTransfer;
 }
 impl RgbSpace for Bt2020 {
     const PRIMARIES: [[f64; 2]; 3] = [[0.708, 0.292], [0.170, 0.797], [0.131, 0.046]];
@@ -85,12 +86,12 @@ impl RgbSpace for Bt2020 {
 impl RgbSpace for AdobeRgb {
     const PRIMARIES: [[f64; 2]; 3] = [[0.64, 0.33], [0.21, 0.71], [0.15, 0.06]];
     const WHITE: [f64; 2] = D65;
-    type Transfer = transfer::Adobe;
+    type Transfer = transfer::AdobeRgbTransfer;
 }
 impl RgbSpace for AcesCg {
     const PRIMARIES: [[f64; 2]; 3] = [[0.713, 0.293], [0.165, 0.830], [0.128, 0.044]];
     const WHITE: [f64; 2] = [0.32168, 0.33767];
-    type Transfer = transfer::Linear;
+    type Transfer = transfer::LinearTransfer;
 }
 
 /// The color of chromaticity `xy` with Y = 1.

@@ -19,9 +19,9 @@ pub trait Transfer: Copy + 'static {
     /// The code value of a linear one.
     ///
     /// ```
-    /// use nanospectra::color::transfer::{Srgb, Transfer};
-    /// assert!((Srgb::encode(0.5) - 0.735_357).abs() < 1e-6);
-    /// assert!((Srgb::decode(0.5) - 0.214_041).abs() < 1e-6);
+    /// use nanospectra::color::transfer::{SrgbTransfer, Transfer};
+    /// assert!((SrgbTransfer::encode(0.5) - 0.735_357).abs() < 1e-6);
+    /// assert!((SrgbTransfer::decode(0.5) - 0.214_041).abs() < 1e-6);
     /// ```
     #[cfg(feature = "libm")]
     #[must_use]
@@ -43,9 +43,9 @@ pub trait Transfer: Copy + 'static {
 /// Encoding is within 9e-8, decoding and the way there and back within 1.2e-7, on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Srgb;
+pub struct SrgbTransfer;
 
-impl Transfer for Srgb {
+impl Transfer for SrgbTransfer {
     fn encode_with<M: Math>(linear: f32) -> f32 {
         let size = linear.abs();
         if size <= 0.003_130_8 {
@@ -88,9 +88,9 @@ impl Transfer for Bt1886 {
 /// 7e-8 either way on 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Adobe;
+pub struct AdobeRgbTransfer;
 
-impl Transfer for Adobe {
+impl Transfer for AdobeRgbTransfer {
     fn encode_with<M: Math>(linear: f32) -> f32 {
         power::<M>(linear, 256.0 / 563.0)
     }
@@ -102,9 +102,9 @@ impl Transfer for Adobe {
 /// No function at all: ACEScg and other scene-linear files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Linear;
+pub struct LinearTransfer;
 
-impl Transfer for Linear {
+impl Transfer for LinearTransfer {
     fn encode_with<M: Math>(linear: f32) -> f32 {
         linear
     }

@@ -156,15 +156,16 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         if !matches!(first.status, Status::Unreachable(_)) {
             return first;
         }
-        let asked = self.xyz_of(rgb);
-        let gray = asked.y.clamp(0.0, 1.0);
+        let [x, luminance, z] = self.shares(apply(&self.response, rgb.to_array()));
+        let asked = Xyz::new(x, luminance, z).scaled(100.0);
+        let gray = luminance.clamp(0.0, 1.0);
         let at = |spectrum, kept, rgb| {
             let miss = Miss { asked, given: self.xyz_of(rgb), white: self.xyz([1.0; 3]) };
             Solved { spectrum, status: Status::Desaturated { kept, miss } }
         };
         let mut best = at(SigmoidReflectance::gray(gray), 0.0, Rgb::new(gray, gray, gray));
         let (mut kept, mut part) = (0.0, 0.5);
-        let halvings = if gray == asked.y { 10 } else { 0 };
+        let halvings = if gray == luminance { 10 } else { 0 };
         for _ in 0..halvings {
             let trial = kept + part;
             let mixed = rgb.to_array().map(|c| gray + trial * (c - gray));
@@ -333,11 +334,15 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         self.xyz(apply(&self.response, rgb.to_array()))
     }
 
-    /// XYZ of responses, Y = 1 for white.
-    fn xyz(&self, [a, b, c]: [f32; 3]) -> Xyz {
+    fn xyz(&self, responses: [f32; 3]) -> Xyz {
+        Xyz::from(self.shares(responses)).scaled(100.0)
+    }
+
+    /// X, Y and Z of responses as shares of the white's Y.
+    fn shares(&self, [a, b, c]: [f32; 3]) -> [f32; 3] {
         static TO_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&widened(&RESPONSES)));
         let [u, v, w] = self.white;
-        Xyz::from(apply(&TO_XYZ, [u * a, v * b, w * c]))
+        apply(&TO_XYZ, [u * a, v * b, w * c])
     }
 }
 

@@ -1,6 +1,6 @@
 //! How well a color could be met.
 
-use crate::color::{Cie94, Xyz, cie76, cie94};
+use crate::color::{Cie94Weights, Xyz, cie76, cie94};
 
 /// A spectrum and how near it is to what was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub enum Status {
     NotFinite,
 }
 
-/// Two colors: the one asked for and the one the spectrum has; Y = 1 for white.
+/// Two colors: the one asked for and the one the spectrum has; Y = 100 for white.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Miss {
@@ -57,7 +57,7 @@ impl Miss {
     /// Are the two within 0.002 CIEDE2000? By a formula that needs no more than roots, and comes to half of that or more.
     pub(super) fn is_nothing(&self) -> bool {
         match (self.asked.lab(self.white), self.given.lab(self.white)) {
-            (Some(asked), Some(given)) => cie94(asked, given, Cie94::GraphicArts) < 0.001,
+            (Some(asked), Some(given)) => cie94(asked, given, Cie94Weights::GraphicArts) < 0.001,
             _ => false,
         }
     }

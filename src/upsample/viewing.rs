@@ -18,6 +18,7 @@ use core::marker::PhantomData;
 /// Fold with [`Curve::Step`](crate::Curve::Step), whose weights are not negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewing<const N: usize, G = Bins<380, 730>, S = Srgb> {
+    /// Scaled to Y = 1 for white, as RGB is; so are the matrices.
     pub(super) eye: Observer<3, N, Factor, G>,
     pub(super) to_xyz: [[f32; 3]; 3],
     pub(super) from_xyz: [[f32; 3]; 3],
@@ -46,32 +47,27 @@ impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
         Viewing { eye, to_xyz: rounded(&matrix), from_xyz: rounded(&inverse64(&matrix)), space: PhantomData }
     }
 
-    /// The eye, scaled to Y = 1 for white.
-    #[must_use]
-    pub const fn eye(&self) -> &Observer<3, N, Factor, G> {
-        &self.eye
-    }
-
     /// The RGB of a surface; linear.
     ///
     /// # Accuracy
     /// 1e-6 (the sums of `N` products, through the matrix).
     #[must_use]
     pub fn rgb(&self, surface: &Spectrum<Factor, N, G>) -> Rgb<S> {
-        self.rgb_of_xyz(Xyz::from(self.eye.sees(surface)))
+        let [r, g, b] = apply(&self.from_xyz, self.eye.sees(surface));
+        Rgb::new(r, g, b)
     }
 
-    /// The XYZ of an RGB, **Y = 1 for white**.
+    /// The tristimulus values of an RGB, Y = 100 for white.
     #[must_use]
     pub const fn xyz(&self, rgb: Rgb<S>) -> Xyz {
         let [x, y, z] = apply(&self.to_xyz, rgb.to_array());
-        Xyz { x, y, z }
+        Xyz { x, y, z }.scaled(100.0)
     }
 
-    /// The RGB of an XYZ, **Y = 1 for white**; what any method here takes, to upsample an XYZ.
+    /// The RGB of a color with Y = 100 for white: every method of this module that takes an RGB can upsample it.
     #[must_use]
     pub const fn rgb_of_xyz(&self, xyz: Xyz) -> Rgb<S> {
-        let [r, g, b] = apply(&self.from_xyz, xyz.to_array());
+        let [r, g, b] = apply(&self.from_xyz, xyz.scaled(0.01).to_array());
         Rgb::new(r, g, b)
     }
 
@@ -81,7 +77,8 @@ impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn delta_e(&self, asked: Rgb<S>, surface: &Spectrum<Factor, N, G>) -> f32 {
-        let white = self.xyz(Rgb::new(1.0, 1.0, 1.0));
-        self.xyz(asked).delta_e(Xyz::from(self.eye.sees(surface)), white)
+        // Both with Y = 1 for white: a difference does not depend on the scale.
+        let xyz = |rgb: Rgb<S>| Xyz::from(apply(&self.to_xyz, rgb.to_array()));
+        xyz(asked).delta_e(Xyz::from(self.eye.sees(surface)), xyz(Rgb::new(1.0, 1.0, 1.0)))
     }
 }

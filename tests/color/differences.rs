@@ -3,7 +3,7 @@
 use model::allowed::{Singles, check};
 use model::csv::golden;
 use model::delta_e as reference;
-use nanospectra::color::{Cie94, Lab, cie76, cie94, cmc, hyab};
+use nanospectra::color::{Cie94Weights, Lab, cie76, cie94, cmc, hyab};
 use proptest::prelude::*;
 
 fn lab([l, a, b]: [f64; 3]) -> Lab {
@@ -29,8 +29,8 @@ fn plain_differences_agree() {
         let (x, y) = (lab(row.numbers(["L1", "a1", "b1"])), lab(row.numbers(["L2", "a2", "b2"])));
         let got = [
             cie76(x, y),
-            cie94(x, y, Cie94::GraphicArts),
-            cie94(x, y, Cie94::Textiles),
+            cie94(x, y, Cie94Weights::GraphicArts),
+            cie94(x, y, Cie94Weights::Textiles),
             cmc(x, y, 1.0, 1.0),
             cmc(x, y, 2.0, 1.0),
             hyab(x, y),
@@ -75,7 +75,7 @@ fn near_pairs_are_as_exact_as_far_ones() {
         let (one, two) = (wide(x), wide(y));
         let place = format!("{x:?} {y:?}");
         all[0].add(&place, cie76(x, y), reference::de76(one, two));
-        all[1].add(&place, cie94(x, y, Cie94::GraphicArts), reference::de94(one, two));
+        all[1].add(&place, cie94(x, y, Cie94Weights::GraphicArts), reference::de94(one, two));
         all[2].add(&place, cmc(x, y, 2.0, 1.0), reference::cmc(one, two, 2.0, 1.0));
         all[3].add(&place, hyab(x, y), reference::hyab(one, two));
     }
@@ -85,7 +85,7 @@ fn near_pairs_are_as_exact_as_far_ones() {
 #[cfg(feature = "libm")]
 mod de00 {
     use super::*;
-    use nanospectra::color::{Parametric, ciede2000, ciede2000_with};
+    use nanospectra::color::{ParametricFactors, ciede2000, ciede2000_with};
     use nanospectra::math::Portable;
 
     /// Sharma, Wu and Dalal 2005, table 1, all of it.
@@ -193,7 +193,7 @@ mod de00 {
 
     #[test]
     fn parametric_factors_divide_their_own_part() {
-        let k = Parametric { k_l: 2.0, ..Parametric::default() };
+        let k = ParametricFactors { k_l: 2.0, ..ParametricFactors::default() };
         let (x, y) = (Lab::new(40.0, 10.0, 0.0), Lab::new(60.0, 10.0, 0.0));
         assert_eq!(ciede2000_with::<Portable>(x, y, k), 0.5 * ciede2000(x, y));
         let (x, y) = (Lab::new(50.0, 10.0, 0.0), Lab::new(50.0, 20.0, 0.0));
@@ -233,7 +233,7 @@ proptest! {
     fn plain_differences_are_distances(x in any_lab(), y in any_lab()) {
         prop_assert_eq!(cie76(x, y).to_bits(), cie76(y, x).to_bits());
         prop_assert_eq!(hyab(x, y).to_bits(), hyab(y, x).to_bits());
-        for weights in [Cie94::GraphicArts, Cie94::Textiles] {
+        for weights in [Cie94Weights::GraphicArts, Cie94Weights::Textiles] {
             prop_assert!(cie94(x, y, weights).is_finite());
             prop_assert_eq!(cie94(x, x, weights), 0.0);
         }
@@ -249,7 +249,7 @@ proptest! {
         let nan = Lab::new(l, a, b);
         for (p, q) in [(x, nan), (nan, x)] {
             prop_assert!(cie76(p, q).is_nan() && hyab(p, q).is_nan());
-            prop_assert!(cie94(p, q, Cie94::Textiles).is_nan() && cmc(p, q, 1.0, 1.0).is_nan());
+            prop_assert!(cie94(p, q, Cie94Weights::Textiles).is_nan() && cmc(p, q, 1.0, 1.0).is_nan());
         }
     }
 }

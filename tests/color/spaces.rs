@@ -10,7 +10,9 @@ use model::interpolation::{Interpolation, Outside};
 use model::linear::apply;
 use model::tables::{Observer, source};
 use model::tristimulus::xyz_of_surface;
-use nanospectra::color::{AcesCg, Adaptation, Bradford, Lab, Luv, Oklab, Rgb, RgbSpace, Srgb, Xyz};
+use nanospectra::color::{
+    AcesCg, Adaptation, AdobeRgb, Bradford, Bt2020, DisplayP3, Lab, Luv, Oklab, Rgb, RgbSpace, Srgb, Xyz,
+};
 use nanospectra::math::Fast;
 use proptest::prelude::*;
 
@@ -26,6 +28,32 @@ fn luv_array(luv: Luv) -> [f32; 3] {
 
 fn oklab_array(ok: Oklab) -> [f32; 3] {
     [ok.l, ok.a, ok.b]
+}
+
+/// Y = 100 for white on every way to tristimulus values and back.
+#[test]
+fn white_has_y_100_in_every_space() {
+    fn of<S: RgbSpace>() {
+        let white = Rgb::<S>::new(1.0, 1.0, 1.0).xyz();
+        let near = |a: [f32; 3], b: [f32; 3], by: f32| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= by);
+        assert!(
+            near(white.to_array(), S::WHITE_XYZ.to_array(), 3e-5) && S::WHITE_XYZ.y == 100.0,
+            "{white:?}"
+        );
+        assert!(near(Rgb::<S>::from_xyz(S::WHITE_XYZ).to_array(), [1.0; 3], 1e-6));
+        assert_eq!(white.y, Rgb::<S>::new(1.0, 1.0, 1.0).luminance() * 100.0);
+        let lab = white.lab(S::WHITE_XYZ).expect("a white");
+        assert!(near(lab_array(lab), [100.0, 0.0, 0.0], 2e-4), "{lab:?}");
+    }
+    of::<Srgb>();
+    of::<DisplayP3>();
+    of::<Bt2020>();
+    of::<AdobeRgb>();
+    of::<AcesCg>();
+    let [l, a, b] = oklab_array(D65.oklab());
+    assert!((l - 1.0).abs() < 1e-5 && a.abs() < 2e-4 && b.abs() < 2e-4, "{l} {a} {b}");
+    let white = Oklab::new(1.0, 0.0, 0.0).xyz();
+    assert!((white.y - 100.0).abs() < 1e-3 && (white.x - D65.x).abs() < 0.02, "{white:?}");
 }
 
 /// The white golden 04 has for a light and an observer.
@@ -71,10 +99,10 @@ fn lab_luv_and_oklab_of_any_color_agree() {
         "Oklab of any color, model",
     ]
     .map(check);
-    let exact_white = model::chromaticity::xyz_from_xy([0.3127, 0.3290], 1.0);
+    let exact_white = model::chromaticity::xyz_from_xy([0.3127, 0.3290], 100.0);
     assert_eq!(D65.to_array(), narrow(exact_white));
     for row in golden("12_colourspaces").rows() {
-        let color = Xyz::from(narrow(row.numbers(["X", "Y", "Z"])));
+        let color = Xyz::from(narrow(row.numbers(["X", "Y", "Z"]).map(|v| 100.0 * v)));
         let lab = lab_array(color.lab(D65).expect("a white"));
         let luv = luv_array(color.luv(D65).expect("a white"));
         let ok = oklab_array(color.oklab());
@@ -84,7 +112,7 @@ fn lab_luv_and_oklab_of_any_color_agree() {
         all[2].add_all(&place, luv, row.numbers(["Luv_L", "u", "v"]));
         all[3].add_all(&place, luv, model::lab::luv(wide(color), wide(D65)));
         all[4].add_all(&place, ok, row.numbers(["ok_L", "ok_a", "ok_b"]));
-        all[5].add_all(&place, ok, model::lab::oklab(wide(color)));
+        all[5].add_all(&place, ok, model::lab::oklab(wide(color).map(|v| v / 100.0)));
     }
     all.into_iter().for_each(|check| check.tight(3 * 289));
 }
@@ -95,7 +123,7 @@ fn a_near_gray_is_as_certain_as_any_color() {
     for k in 0..20_000 {
         let y = 0.009 + 0.991 * (k as f32 / 20_000.0);
         let off = 1.0 + 1e-3 * ((k * 37 % 101) as f32 / 50.0 - 1.0);
-        let color = Xyz::new(D65.x * y * off, y, D65.z * y / off);
+        let color = Xyz::new(D65.x * y * off, D65.y * y, D65.z * y / off);
         let lab = lab_array(color.lab(D65).expect("a white"));
         near_gray.add_all(&format!("{y}"), lab, model::lab::lab(wide(color), wide(D65)));
     }
@@ -226,7 +254,7 @@ fn colors_survive_the_round_trip() {
     .map(check);
     let p3 = model::rgb::named("Display P3").rgb_to_xyz();
     for rgb in lattice() {
-        let color = Xyz::from(narrow(apply(p3, rgb.map(f64::from))));
+        let color = Xyz::from(narrow(apply(p3, rgb.map(|v| 100.0 * f64::from(v)))));
         let place = format!("{rgb:?}");
         let expected = wide(color);
         let lab = color.lab(D65).expect("a white").xyz(D65);

@@ -4,17 +4,19 @@
 use model::allowed::{Singles, check};
 use model::csv::golden;
 use model::transfer as reference;
-use nanospectra::color::transfer::{Adobe, Bt1886, Hlg, Linear, Pq, Srgb, Transfer, from_u8, to_u8};
+use nanospectra::color::transfer::{
+    AdobeRgbTransfer, Bt1886, Hlg, LinearTransfer, Pq, SrgbTransfer, Transfer, from_u8, to_u8,
+};
 use nanospectra::color::{AdobeRgb, EncodedRgb, Rgb};
 use proptest::prelude::*;
 
 #[test]
 fn golden_values_agree() {
     let mut all = [
-        ("sRGB_oetf", Srgb::encode as fn(f32) -> f32, "sRGB encode, golden 12"),
-        ("sRGB_eotf", Srgb::decode, "sRGB decode, golden 12"),
-        ("Adobe_enc", Adobe::encode, "Adobe encode, golden 12"),
-        ("Adobe_dec", Adobe::decode, "Adobe decode, golden 12"),
+        ("sRGB_oetf", SrgbTransfer::encode as fn(f32) -> f32, "sRGB encode, golden 12"),
+        ("sRGB_eotf", SrgbTransfer::decode, "sRGB decode, golden 12"),
+        ("Adobe_enc", AdobeRgbTransfer::encode, "Adobe encode, golden 12"),
+        ("Adobe_dec", AdobeRgbTransfer::decode, "Adobe decode, golden 12"),
         ("gamma2.4", Bt1886::decode, "BT.1886 decode, golden 12"),
         ("PQ_inv_eotf", Pq::encode, "PQ encode, golden 12"),
         ("PQ_eotf", Pq::decode, "PQ decode, golden 12"),
@@ -49,12 +51,12 @@ fn swept(what: &'static str, function: fn(f32) -> f32, model: fn(f64) -> f64) {
 
 #[test]
 fn every_curve_follows_the_model() {
-    swept("sRGB encode, swept", Srgb::encode, reference::srgb_encode);
-    swept("sRGB decode, swept", Srgb::decode, reference::srgb_decode);
+    swept("sRGB encode, swept", SrgbTransfer::encode, reference::srgb_encode);
+    swept("sRGB decode, swept", SrgbTransfer::decode, reference::srgb_decode);
     swept("BT.1886 decode, swept", Bt1886::decode, reference::bt1886_decode);
     swept("BT.1886 encode, swept", Bt1886::encode, |v| v.powf(1.0 / 2.4));
-    swept("Adobe encode, swept", Adobe::encode, reference::adobe_encode);
-    swept("Adobe decode, swept", Adobe::decode, reference::adobe_decode);
+    swept("Adobe encode, swept", AdobeRgbTransfer::encode, reference::adobe_encode);
+    swept("Adobe decode, swept", AdobeRgbTransfer::decode, reference::adobe_decode);
     swept("HLG encode, swept", Hlg::encode, reference::hlg_encode);
     swept("HLG decode, swept", Hlg::decode, reference::hlg_decode);
     swept("PQ encode, swept", Pq::encode, reference::pq_encode);
@@ -88,9 +90,9 @@ fn ten_bit_pq_codes_survive() {
 #[test]
 fn there_and_back_again() {
     let mut all = [
-        ("sRGB there and back", (|v| Srgb::decode(Srgb::encode(v))) as fn(f32) -> f32),
-        ("sRGB back and there", |v| Srgb::encode(Srgb::decode(v))),
-        ("Adobe there and back", |v| Adobe::decode(Adobe::encode(v))),
+        ("sRGB there and back", (|v| SrgbTransfer::decode(SrgbTransfer::encode(v))) as fn(f32) -> f32),
+        ("sRGB back and there", |v| SrgbTransfer::encode(SrgbTransfer::decode(v))),
+        ("Adobe there and back", |v| AdobeRgbTransfer::decode(AdobeRgbTransfer::encode(v))),
         ("BT.1886 there and back", |v| Bt1886::decode(Bt1886::encode(v))),
         ("HLG there and back", |v| Hlg::decode(Hlg::encode(v))),
         ("PQ there and back", |v| Pq::decode(Pq::encode(v))),
@@ -101,7 +103,7 @@ fn there_and_back_again() {
         for (function, check) in &mut all {
             check.add(&format!("{v}"), function(v), f64::from(v));
         }
-        assert_eq!(Linear::decode(Linear::encode(v)), v);
+        assert_eq!(LinearTransfer::decode(LinearTransfer::encode(v)), v);
     }
     all.into_iter().for_each(|(_, check)| check.tight(SWEPT));
 }
@@ -110,21 +112,21 @@ fn there_and_back_again() {
 fn knees_are_those_of_the_standards() {
     let above = |v: f32| f32::from_bits(v.to_bits() + 1);
     let mut encode = check("step of sRGB encode at its knee");
-    encode.add("knee", Srgb::encode(above(0.003_130_8)) - Srgb::encode(0.003_130_8), 0.0);
+    encode.add("knee", SrgbTransfer::encode(above(0.003_130_8)) - SrgbTransfer::encode(0.003_130_8), 0.0);
     encode.tight(1);
     let mut decode = check("step of sRGB decode at its knee");
-    decode.add("knee", Srgb::decode(above(0.040_45)) - Srgb::decode(0.040_45), 0.0);
+    decode.add("knee", SrgbTransfer::decode(above(0.040_45)) - SrgbTransfer::decode(0.040_45), 0.0);
     decode.tight(1);
     assert_eq!(Hlg::encode(above(1.0 / 12.0)), Hlg::encode(1.0 / 12.0));
 }
 
 #[test]
 fn ends_are_exact_or_as_the_standard_has_them() {
-    assert_eq!(Srgb::encode(0.0), 0.0);
-    assert_eq!(Srgb::decode(0.0), 0.0);
-    assert_eq!(Srgb::encode(1.0), 1.0);
-    assert_eq!(Srgb::decode(1.0), 1.0);
-    assert_eq!(Adobe::encode(1.0), 1.0);
+    assert_eq!(SrgbTransfer::encode(0.0), 0.0);
+    assert_eq!(SrgbTransfer::decode(0.0), 0.0);
+    assert_eq!(SrgbTransfer::encode(1.0), 1.0);
+    assert_eq!(SrgbTransfer::decode(1.0), 1.0);
+    assert_eq!(AdobeRgbTransfer::encode(1.0), 1.0);
     assert_eq!(Bt1886::decode(1.0), 1.0);
     assert_eq!(Pq::encode(1.0), 1.0);
     assert_eq!(Pq::decode(1.0), 1.0);
@@ -165,7 +167,7 @@ fn eight_bit_codes_round_half_up() {
 #[test]
 fn every_srgb_code_survives_linear_light() {
     for code in 0..=255_u8 {
-        assert_eq!(to_u8(Srgb::encode(Srgb::decode(from_u8(code)))), code);
+        assert_eq!(to_u8(SrgbTransfer::encode(SrgbTransfer::decode(from_u8(code)))), code);
         let adobe = EncodedRgb::<AdobeRgb>::from_u8([code, 255 - code, 7]);
         assert_eq!(adobe.decode().encode().to_u8(), [code, 255 - code, 7]);
     }
@@ -181,7 +183,7 @@ fn finite() -> impl Strategy<Value = f32> {
 proptest! {
     #[test]
     fn no_finite_number_becomes_nan(v in finite()) {
-        for function in [Srgb::encode, Srgb::decode, Bt1886::encode, Bt1886::decode, Adobe::encode, Adobe::decode,
+        for function in [SrgbTransfer::encode, SrgbTransfer::decode, Bt1886::encode, Bt1886::decode, AdobeRgbTransfer::encode, AdobeRgbTransfer::decode,
             Pq::encode, Pq::decode, Hlg::encode, Hlg::decode] {
             prop_assert!(!function(v).is_nan());
             prop_assert!(function(f32::NAN).is_nan());
@@ -190,7 +192,7 @@ proptest! {
 
     #[test]
     fn all_but_pq_are_odd(v in finite()) {
-        for function in [Srgb::encode, Srgb::decode, Bt1886::encode, Bt1886::decode, Adobe::encode, Adobe::decode,
+        for function in [SrgbTransfer::encode, SrgbTransfer::decode, Bt1886::encode, Bt1886::decode, AdobeRgbTransfer::encode, AdobeRgbTransfer::decode,
             Hlg::encode, Hlg::decode] {
             prop_assert_eq!(function(-v).to_bits(), (-function(v)).to_bits());
         }
@@ -201,7 +203,7 @@ proptest! {
         let (low, high) = (v.min(w), v.max(w));
         // two numbers apart by more than rounding
         prop_assume!(high - low > 1e-6);
-        for function in [Srgb::encode, Srgb::decode, Bt1886::encode, Adobe::encode, Pq::encode, Hlg::encode] {
+        for function in [SrgbTransfer::encode, SrgbTransfer::decode, Bt1886::encode, AdobeRgbTransfer::encode, Pq::encode, Hlg::encode] {
             prop_assert!(function(low) <= function(high));
         }
     }

@@ -5,6 +5,7 @@ mod damaged_tables;
 mod doc_claims;
 mod image;
 mod modules;
+mod names;
 mod order;
 mod path_cost;
 mod programs;

@@ -117,7 +117,7 @@ fn micromath_is_not_for_color() {
     for k in 1..=10_000u16 {
         let y = f32::from(k) / 1e4;
         let (got, exact) =
-            (transfer::Srgb::encode_with::<Micromath>(y), model::transfer::srgb_encode(y.into()));
+            (transfer::SrgbTransfer::encode_with::<Micromath>(y), model::transfer::srgb_encode(y.into()));
         encoded.add(&format!("{y}"), got, exact);
         let code = |v: f64| (255.0 * v).round() as i32;
         codes = codes.max((code(got.into()) - code(exact)).abs());

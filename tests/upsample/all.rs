@@ -12,7 +12,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Solved, StartMap, Status, Viewing,
 };
-use nanospectra::{Bins, Curve, Grid, Nodes};
+use nanospectra::{Bins, Curve, Factor, Grid, Nodes, Observer};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// What a sweep found.
@@ -55,8 +55,9 @@ struct Model<const N: usize> {
 }
 
 impl<const N: usize> Model<N> {
-    fn new<G: Grid>(viewing: &Viewing<N, G>) -> Self {
-        let rows = viewing.eye().weights().map(|row| row.map(f64::from));
+    /// Of an eye with Y = 1 for white.
+    fn new<G: Grid>(eye: &Observer<3, N, Factor, G>) -> Self {
+        let rows = eye.weights().map(|row| row.map(f64::from));
         let white = rows.map(|row| row.iter().sum());
         let [x, y, z]: [f64; 3] = white;
         let space =
@@ -115,8 +116,8 @@ fn look<const N: usize, G: Grid, M: StartMap>(
 
 /// Every `step`th red, green and blue (and the last one), on all cores.
 fn sweep<const N: usize, G: Grid + Sync + Send, M: StartMap + Sync>(step: usize) -> Findings {
-    let viewing: Viewing<N, G> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
-    let (model, sigmoid) = (Model::new(&viewing), Sigmoid::<N, G, Srgb, M>::new(&viewing));
+    let eye = CIE_1931.under(&LIGHT).fold(Curve::Step).with_white_y(1.0);
+    let (model, sigmoid) = (Model::new(&eye), Sigmoid::<N, G, Srgb, M>::new(&Viewing::new(&eye)));
     let levels: Vec<u8> = (0..=255u8).filter(|v| usize::from(*v) % step == 0 || *v == 255).collect();
     let mut blues = levels.clone();
     while !blues.len().is_multiple_of(8) {

@@ -8,12 +8,13 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Basis, LinearStart, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing, kubelka_munk,
 };
-use nanospectra::{Bins, Curve, Interpolation, Light, Nodes, Outside, Reflectance};
+use nanospectra::{Bins, Curve, Factor, Interpolation, Light, Nodes, Observer, Outside, Reflectance};
 use proptest::prelude::*;
 use proptest::sample::select;
 
 type Grid = Nodes<400, 700>;
-static VIEWING: Viewing<31, Grid> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
+static EYE: Observer<3, 31, Factor, Grid> = CIE_1931.under(&LIGHT).fold(Curve::Step).with_white_y(100.0);
+static VIEWING: Viewing<31, Grid> = Viewing::new(&EYE);
 static SIGMOID: Sigmoid<31, Grid> = Sigmoid::new(&VIEWING);
 static BASIS: Basis<31, Grid> = Basis::new(&VIEWING);
 static SMITS: Smits<31, Grid> = Smits::new();
@@ -337,8 +338,8 @@ proptest! {
         let back = VIEWING.rgb_of_xyz(asked);
         let solved = SIGMOID.reflectance(back);
         prop_assert_eq!(solved.status, Status::Exact, "{:?}", back);
-        let [x, y, z] = VIEWING.eye().sees(&solved.spectrum.on_grid());
-        prop_assert!((x - asked.x).abs() + (y - asked.y).abs() + (z - asked.z).abs() < 1e-5);
+        let [x, y, z] = EYE.sees(&solved.spectrum.on_grid());
+        prop_assert!((x - asked.x).abs() + (y - asked.y).abs() + (z - asked.z).abs() < 1e-3);
     }
 
     #[test]

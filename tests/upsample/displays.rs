@@ -14,7 +14,8 @@ use nanospectra::{Curve, Factor, Fine, Interpolation, Nodes, Observer, Outside, 
 type Grid = Nodes<380, 780>;
 const UNDER_A: Fine<Power> = A.interpolate(Interpolation::Linear, Outside::Zero);
 static EYE: Observer<3, 81, Power, Grid> = CIE_1931.fold(Curve::Step);
-static VIEWING: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
+static BY_DAY: Observer<3, 81, Factor, Grid> = CIE_1931.under(&LIGHT).fold(Curve::Step);
+static VIEWING: Viewing<81, Grid> = Viewing::new(&BY_DAY);
 static BY_A: Observer<3, 81, Factor, Grid> = CIE_1931.under(&UNDER_A).fold(Curve::Step);
 static SIGMOID: Sigmoid<81, Grid> = Sigmoid::new(&VIEWING);
 static LED: Display<81, Grid> = Display::led(&EYE);
@@ -29,10 +30,12 @@ fn a_display_emits_the_color_it_is_asked_for() {
     for display in [&LED, &LCD] {
         let white = display.xyz([1.0; 3]);
         let xy = white.xy().expect("a white");
-        assert!((xy.x - 0.3127).abs() < 1e-6 && (xy.y - 0.3290).abs() < 1e-6 && (white.y - 1.0).abs() < 1e-6);
+        assert!(
+            (xy.x - 0.3127).abs() < 1e-6 && (xy.y - 0.3290).abs() < 1e-6 && (white.y - 100.0).abs() < 1e-4
+        );
         for rgb in [[1.0, 0.0, 0.0], [0.2, 0.9, 0.4], [0.0, 0.0, 1.0], [0.5; 3]] {
             let light = display.emits(rgb);
-            assert!(near(Xyz::from(EYE.sees(&light)), display.xyz(rgb), 2e-6));
+            assert!(near(Xyz::from(EYE.sees(&light)), display.xyz(rgb), 2e-4));
             assert!(light.values().iter().all(|power| *power >= 0.0));
             for (back, asked) in display.rgb(display.xyz(rgb)).into_iter().zip(rgb) {
                 assert!((back - asked).abs() < 2e-6);
@@ -51,9 +54,9 @@ fn two_displays_match_for_one_observer_and_not_for_another() {
     let other: Observer<3, 81, Power, Grid> = nanospectra::observer::CIE_1964.fold(Curve::Step);
     let asked = [0.5, 0.4, 0.3];
     let (lcd, led) = (LCD.emits(asked), LED.emits(LED.rgb(LCD.xyz(asked))));
-    assert!(near(Xyz::from(EYE.sees(&lcd)), Xyz::from(EYE.sees(&led)), 2e-6));
+    assert!(near(Xyz::from(EYE.sees(&lcd)), Xyz::from(EYE.sees(&led)), 2e-4));
     let (a, b) = (Xyz::from(other.sees(&lcd)), Xyz::from(other.sees(&led)));
-    assert!(!near(a, b, 2e-3), "{a:?} {b:?}");
+    assert!(!near(a, b, 0.2), "{a:?} {b:?}");
 }
 
 #[test]
@@ -134,12 +137,12 @@ fn metamers_match_under_d65_and_drift_apart_under_a() {
             continue;
         }
         let (smooth, banded) = (SIGMOID.reflectance(rgb).spectrum.on_grid(), basis.reflectance(rgb));
-        most = most.max(VIEWING.eye().delta_e(&smooth, &banded));
+        most = most.max(BY_DAY.delta_e(&smooth, &banded));
         drift = drift.max(BY_A.delta_e(&smooth, &banded));
         // A metameric black, added, is not seen.
-        let r = CohenR::new(VIEWING.eye());
+        let r = CohenR::new(&BY_DAY);
         let other = smooth + r.black(&banded) * 0.5;
-        assert!(VIEWING.eye().delta_e(&smooth, &other) < 1e-3);
+        assert!(BY_DAY.delta_e(&smooth, &other) < 1e-3);
     }
     println!("two metamers: {most} under D65, {drift} under A");
     assert!(most < 2e-3 && drift > 2.0);

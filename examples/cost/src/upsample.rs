@@ -182,7 +182,7 @@ impl Study {
 
     fn product(&self, runs: usize) -> Vec<Cell> {
         let light_of = |lamp: &Observer<3, WIDE, Factor, Wide>| {
-            Rgb::<Srgb>::from_xyz_y100(Xyz::from(lamp.sees(&Reflectance::flat(1.0)))).to_array()
+            Rgb::<Srgb>::from_xyz(Xyz::from(lamp.sees(&Reflectance::flat(1.0)))).to_array()
         };
         let (light, pixel) = ([1.2, 0.9, 0.4], [0.2, 0.4, 0.7]);
         let time = nanoseconds(runs, || rgb_product(black_box(light), black_box(pixel)));

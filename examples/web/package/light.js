@@ -183,7 +183,7 @@ export class Light extends Instrument {
     else missing(['lux', 'ppfd'], 'relative input; give W/m2/nm and --unit absolute');
 
     this.show(reading, out);
-    note('srgb', "the light's chromaticity at Y = 1, clipped to the gamut; so is hex");
+    note('srgb', "the light's chromaticity at Y = 100, clipped to the gamut; so is hex");
     missing(['lab', 'delta_e2000'], 'a light has none: it needs a surface and a white');
     if (eye) {
       note(

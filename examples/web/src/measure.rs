@@ -47,7 +47,7 @@ extern "C" fn see_light(observer: u32) -> u32 {
     put(out, at::ABSOLUTE, seen.to_array().map(|value| value * KM));
     chromaticity(out, relative);
     put(out, at::CCT, white(standard));
-    show(out, Rgb::from_xyz_y100(relative));
+    show(out, Rgb::from_xyz(relative));
     0
 }
 

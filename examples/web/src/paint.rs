@@ -104,15 +104,15 @@ mod methods {
     extern "C" fn paint_under() -> u32 {
         let board = board();
         let eye: Observer<3, N, Factor, Grid> =
-            CIE_1931.under(&board.light).fold(Curve::Step).with_white_y(1.0);
+            CIE_1931.under(&board.light).fold(Curve::Step).with_white_y(100.0);
         let white = Xyz::from(eye.row_sums().map(|sum| sum as f32));
-        if white.with_y(1.0).is_none() {
+        if white.with_y(100.0).is_none() {
             return 1;
         }
         let seen = Xyz::from(eye.sees(&*PAINT.get()));
         let lab = seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN));
         let (_, code) = displayed(seen, white);
-        put(&mut board.out, 0, seen.scaled(100.0).to_array());
+        put(&mut board.out, 0, seen.to_array());
         put(&mut board.out, 3, [lab.l, lab.a, lab.b]);
         put(&mut board.out, 6, code);
         0

@@ -212,7 +212,7 @@ struct Viewing {
 impl Viewing {
     /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB, clipped.
     fn look(&self, light: &Light<N, Grid>) -> [f32; 12] {
-        let scale = 1.0 / self.white.y;
+        let scale = 100.0 / self.white.y;
         let seen = Xyz::from(self.eye.sees(light)).scaled(scale);
         let white = self.white.scaled(scale);
         let (rgb, [r, g, b]) = displayed(seen, white);
@@ -221,7 +221,7 @@ impl Viewing {
         let nan = f32::NAN;
         let lab = seen.lab_with::<Portable>(white).unwrap_or(Lab::new(nan, nan, nan));
         let xy = seen.xy().unwrap_or(Xy::new(nan, nan));
-        let Xyz { x, y, z } = seen.scaled(100.0);
+        let Xyz { x, y, z } = seen;
         [x, y, z, xy.x, xy.y, lab.l, lab.a, lab.b, r, g, b, f32::from(u8::from(clipped))]
     }
 

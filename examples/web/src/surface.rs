@@ -34,7 +34,7 @@ extern "C" fn see_surface(observer: u32) -> u32 {
         }
     }
     match Adaptation::between::<Bradford>(white, Srgb::WHITE_XYZ) {
-        Some(to_d65) => show(out, Rgb::from_xyz_y100(to_d65.apply(xyz))),
+        Some(to_d65) => show(out, Rgb::from_xyz(to_d65.apply(xyz))),
         None => status += 2,
     }
     status

@@ -1,6 +1,6 @@
 //! Effects that hardly show, left out.
 
-use crate::color::{Parametric, Xyz, ciede2000_with};
+use crate::color::{ParametricFactors, Xyz, ciede2000_with};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
@@ -42,7 +42,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         let white = Xyz::from(eye.sees(lamp));
         let lab = |scene: &Self| Xyz::from(eye.sees(&scene.leaving_polarized(lamp))).lab_with::<M>(white);
         match (lab(self), lab(other)) {
-            (Some(this), Some(that)) => ciede2000_with::<M>(this, that, Parametric::default()),
+            (Some(this), Some(that)) => ciede2000_with::<M>(this, that, ParametricFactors::default()),
             _ => f32::NAN,
         }
     }

@@ -219,7 +219,7 @@ fn spaces(hash: &mut Hash) {
         }
         let oklab = xyz.oklab();
         hash.all(&[oklab.l, oklab.a, oklab.b]);
-        hash.all(&Rgb::<Srgb>::from_xyz_y100(xyz).encode().to_array());
+        hash.all(&Rgb::<Srgb>::from_xyz(xyz).encode().to_array());
     }
 }
 

@@ -25,7 +25,7 @@ Conventions:
   --observer is for XYZ, chromaticity, dominant wavelength, Lab and sRGB.
   Dominant wavelength and excitation purity are seen from the equal-energy white for lights,
   from the light's own white for reflectances; a complementary wavelength is negative.
-  sRGB: of a light its chromaticity at Y = 1; of a reflectance adapted (Bradford) from its light
+  sRGB: of a light its chromaticity at Y = 100; of a reflectance adapted (Bradford) from its light
   to D65. Both are clipped to the gamut, with a note.
   --compare gives this minus FILE. y_ratio is of the numbers as read. spectral_rms is the root
   mean square difference over 360..830 nm; for lights both are brought to the same Y first, and

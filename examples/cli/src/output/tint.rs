@@ -22,7 +22,7 @@ pub fn of_chromaticity(xy: Xy) -> [u8; 3] {
 
 /// No display reaches a spectral color: what would be negative is left dark.
 fn brightest(xy: Xy) -> [f32; 3] {
-    let linear = xy.xyz(1.0).map_or([0.0; 3], |xyz| Rgb::<Srgb>::from_xyz(xyz).to_array());
+    let linear = xy.xyz(100.0).map_or([0.0; 3], |xyz| Rgb::<Srgb>::from_xyz(xyz).to_array());
     let top = linear.into_iter().fold(f32::MIN_POSITIVE, f32::max);
     linear.map(|c| c.max(0.0) / top)
 }

@@ -123,14 +123,15 @@ struct Painter<const N: usize, G, S> {
 
 impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
     fn new(job: &Job) -> Self {
-        let eye = |lamp: &Lamp| CIE_1931.under(&lamp.power).fold(Curve::Step).with_white_y(1.0);
-        let viewing = Viewing::new(&eye(&job.white));
+        let under = |lamp: &Lamp| CIE_1931.under(&lamp.power).fold(Curve::Step);
+        let eye = |lamp: &Lamp| (lamp.name.clone(), under(lamp).with_white_y(100.0));
+        let viewing = Viewing::new(&under(&job.white));
         Painter {
             sigmoid: Sigmoid::new(&viewing),
             basis: Basis::new(&viewing),
             smits: Smits::new(),
             viewing,
-            eyes: [&job.white].into_iter().chain(&job.lamps).map(|l| (l.name.clone(), eye(l))).collect(),
+            eyes: [&job.white].into_iter().chain(&job.lamps).map(eye).collect(),
             method: job.args.method,
             beyond: job.args.beyond(),
             linear: job.args.linear,
@@ -191,7 +192,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         let seen = Xyz::from(eye.sees(surface));
         let lab = seen.lab(self.white(k)).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN));
         let srgb = Rgb::<Srgb>::from_xyz(self.to_d65(k, seen)).clip().rgb.encode().to_u8();
-        Look { light: light.clone(), xyz: seen.scaled(100.0), lab, srgb }
+        Look { light: light.clone(), xyz: seen, lab, srgb }
     }
 
     /// The perfect white under a light.

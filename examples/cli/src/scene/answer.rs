@@ -98,12 +98,12 @@ struct Viewing<const N: usize, G> {
 impl<const N: usize, G: Grid> Viewing<N, G> {
     fn look(&self, light: &Light<N, G>) -> Look {
         let [seen, white] =
-            [Xyz::from(self.eye.sees(light)), self.white].map(|xyz| xyz.scaled(1.0 / self.white.y));
+            [Xyz::from(self.eye.sees(light)), self.white].map(|xyz| xyz.scaled(100.0 / self.white.y));
         let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ);
         let d65 = adaptation.map_or(seen, |adaptation| adaptation.apply(seen));
         let rgb = Rgb::<Srgb>::from_xyz(d65);
         Look {
-            xyz: seen.scaled(100.0),
+            xyz: seen,
             xy: seen.xy(),
             lab: seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN)),
             srgb: rgb.clip().rgb.encode().to_u8(),

@@ -51,7 +51,7 @@ fn keys_stand_in_order_and_every_null_has_a_note_with_its_key() {
     let nulls =
         |reading: &Value| KEYS.split(' ').filter(|key| reading[key].is_null()).collect::<Vec<_>>().join(" ");
     assert_eq!(nulls(lamp), "lux lab ppfd");
-    assert!(has_note(lamp, "delta_e2000", "surface") && has_note(lamp, "srgb", "Y = 1"));
+    assert!(has_note(lamp, "delta_e2000", "surface") && has_note(lamp, "srgb", "Y = 100"));
     let of_the_light = "cct_k duv lux ler_lm_per_w cri_ra cri_r tm30_rf tm30_rg melanopic_edi_ratio ppfd";
     assert_eq!(nulls(surface), of_the_light);
     assert_eq!(surface["light"], "D65");

@@ -13,8 +13,8 @@ use model::lab::lab;
 use model::planck::radiance;
 use model::tables::Observer;
 use model::transfer::srgb_encode;
-use nanospectra::color::transfer::{Srgb, Transfer};
-use nanospectra::color::{EncodedRgb, Lab, Parametric, Rgb, Xyz, ciede2000_with};
+use nanospectra::color::transfer::{SrgbTransfer, Transfer};
+use nanospectra::color::{EncodedRgb, Lab, ParametricFactors, Rgb, Srgb, Xyz, ciede2000_with};
 use nanospectra::light::blackbody_with;
 use nanospectra::matter::Dielectric;
 use std::hint::black_box;
@@ -123,19 +123,22 @@ fn of<M: Math>(backend: &'static str, trials: &Trials, runs: usize) -> Vec<Vec<C
     };
     let pairs = trials.surfaces.windows(2).map(|two| (single(two[0].2), single(two[1].2)));
     let differences = pairs.map(|(one, other)| {
-        let got = ciede2000_with::<M>(one, other, Parametric::default());
+        let got = ciede2000_with::<M>(one, other, ParametricFactors::default());
         (f64::from(got) - de2000(wide(one), wide(other))).abs()
     });
     let (one, other) = (Lab::new(50.0, 2.6772, -79.7751), Lab::new(52.0, 3.0, -82.7485));
     add(
         largest(differences),
-        nanoseconds(runs, || ciede2000_with::<M>(black_box(one), black_box(other), Parametric::default())),
+        nanoseconds(runs, || {
+            ciede2000_with::<M>(black_box(one), black_box(other), ParametricFactors::default())
+        }),
     );
     let signals = (0..=100_000u32).map(|k| k as f32 / 100_000.0);
-    let codes = signals
-        .map(|signal| 255.0 * (f64::from(Srgb::encode_with::<M>(signal)) - srgb_encode(signal.into())).abs());
-    let pixel = Rgb::<nanospectra::color::Srgb>::new(0.2, 0.4, 0.8);
-    let encode = || -> EncodedRgb<nanospectra::color::Srgb> { black_box(pixel).encode_with::<Srgb, M>() };
+    let codes = signals.map(|signal| {
+        255.0 * (f64::from(SrgbTransfer::encode_with::<M>(signal)) - srgb_encode(signal.into())).abs()
+    });
+    let pixel = Rgb::<Srgb>::new(0.2, 0.4, 0.8);
+    let encode = || -> EncodedRgb<Srgb> { black_box(pixel).encode_with::<SrgbTransfer, M>() };
     add(largest(codes), nanoseconds(runs, encode));
     all
 }

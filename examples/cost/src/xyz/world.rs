@@ -137,5 +137,5 @@ fn singles(points: &[(f64, f64)]) -> Points {
 }
 
 fn in_srgb(xyz: [f64; 3]) -> [f32; 3] {
-    Rgb::<Srgb>::from_xyz_y100(Xyz::from(xyz.map(|value| value as f32))).to_array()
+    Rgb::<Srgb>::from_xyz(Xyz::from(xyz.map(|value| value as f32))).to_array()
 }

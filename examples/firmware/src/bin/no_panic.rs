@@ -19,12 +19,13 @@ use nanospectra::{Bins, Fine, Interpolation, Light, Outside, Power, Reflectance}
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
 
-static VIEWING: Viewing<31> =
-    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+static IN_DAYLIGHT: Observer<3, 31> =
+    CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step);
+static VIEWING: Viewing<31> = Viewing::new(&IN_DAYLIGHT);
 static SIGMOID: Sigmoid<31, Bins<380, 730>, Srgb, QuinticStart> = Sigmoid::new(&VIEWING);
 static BASIS: Basis<31> = Basis::new(&VIEWING);
 static SMITS: Smits<31> = Smits::new();
-static COHEN: CohenR<31> = CohenR::new(VIEWING.eye());
+static COHEN: CohenR<31> = CohenR::new(&IN_DAYLIGHT);
 static DISPLAY: Display<31> = Display::lcd(&EYE);
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
@@ -62,7 +63,7 @@ fn upsampling() {
     let light = SIGMOID.illuminant(rgb[1]).spectrum.on_grid(&Light::<31>::flat(1.0));
     let mixed = kubelka_munk(&[(1.0, &paint), (black_box(2.0), &BASIS.reflectance(rgb[2]))]);
     let black = COHEN.black(&(mixed + SMITS.reflectance(rgb[3])));
-    black_box((each, light, VIEWING.delta_e(rgb[4], &black), VIEWING.eye().delta_e(&paint, &mixed)));
+    black_box((each, light, VIEWING.delta_e(rgb[4], &black), IN_DAYLIGHT.delta_e(&paint, &mixed)));
     black_box(DISPLAY.emits(DISPLAY.rgb(VIEWING.xyz(VIEWING.rgb(&paint)))));
 }
 
@@ -77,9 +78,9 @@ fn meaning(lamp: &Fine<Power>) {
     let (lab, gray) =
         (xyz.lab(white).unwrap_or(Lab::new(50.0, 0.0, 0.0)), black_box(Lab::new(50.0, 1.0, 1.0)));
     black_box((ciede2000(lab, gray), cmc(lab, gray, 2.0, 1.0), lab.lch().lab(), xyz.luv(white), xyz.oklab()));
-    black_box(cie94(lab, gray, nanospectra::color::Cie94::Textiles));
+    black_box(cie94(lab, gray, nanospectra::color::Cie94Weights::Textiles));
     let adapted = Adaptation::between::<Bradford>(xyz, white).map(|to_white| to_white.apply(xyz));
-    let rgb = Rgb::<Srgb>::from_xyz_y100(adapted.unwrap_or(white));
+    let rgb = Rgb::<Srgb>::from_xyz(adapted.unwrap_or(white));
     black_box((rgb.clip().rgb.encode().to_u8(), rgb.dim(), rgb.desaturate().rgb.encode().decode()));
     black_box(&D65);
 }

@@ -3,7 +3,7 @@
 use super::textbook::powf;
 use super::{Cases, answered};
 use nanospectra::color::Xyz;
-use nanospectra::color::transfer::{Srgb, Transfer};
+use nanospectra::color::transfer::{SrgbTransfer, Transfer};
 use nanospectra::math::{Micromath, Portable, cbrt, sqrt};
 use nanospectra::upsample::Shape;
 
@@ -19,7 +19,7 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("31c", &RED_LASER, naive_lab, lab);
     cases.row("32a", &[[0.003_130_8]], |at| step(at, naive_encode), |at| step(at, encode));
     cases.row("32b", &SIGNALS, naive_round_trip, round_trip);
-    cases.row("33", &SIGNALS, |&[x]| [Srgb::encode_with::<Micromath>(x)], |&[x]| [encode(x)]);
+    cases.row("33", &SIGNALS, |&[x]| [SrgbTransfer::encode_with::<Micromath>(x)], |&[x]| [encode(x)]);
 }
 
 const TAILS: [[f32; 1]; 9] =
@@ -114,7 +114,7 @@ const SIGNALS: [[f32; 1]; 12] =
     [[0.0], [1e-4], [0.003], [0.003_2], [0.02], [0.18], [0.5], [0.9], [1.0], [-0.001], [-0.18], [-1.0]];
 
 fn encode(x: f32) -> f32 {
-    Srgb::encode_with::<Portable>(x)
+    SrgbTransfer::encode_with::<Portable>(x)
 }
 
 fn naive_encode(x: f32) -> f32 {
@@ -134,5 +134,5 @@ fn naive_round_trip(&[x]: &[f32; 1]) -> [f32; 1] {
 }
 
 fn round_trip(&[x]: &[f32; 1]) -> [f32; 1] {
-    [Srgb::decode_with::<Portable>(encode(x))]
+    [SrgbTransfer::decode_with::<Portable>(encode(x))]
 }

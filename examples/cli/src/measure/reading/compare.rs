@@ -2,7 +2,7 @@
 
 use super::{Bench, Note, Reading};
 use crate::measure::args::Unit;
-use nanospectra::color::{Cie94, cie76, cie94, ciede2000, cmc};
+use nanospectra::color::{Cie94Weights, cie76, cie94, ciede2000, cmc};
 
 /// How a spectrum differs from the reference. `None` stands where a number is not defined.
 pub struct Comparison {
@@ -66,7 +66,7 @@ fn surfaces(this: &Reading, reference: &Reading) -> Vec<Row> {
     };
     vec![
         ("delta_e2000", Some(one(ciede2000(a, b)))),
-        ("delta_e94", Some(one(cie94(b, a, Cie94::GraphicArts)))),
+        ("delta_e94", Some(one(cie94(b, a, Cie94Weights::GraphicArts)))),
         ("delta_e_cmc_2_1", Some(one(cmc(b, a, 2.0, 1.0)))),
         ("delta_e76", Some(one(cie76(a, b)))),
         ("delta_lab", Some(Difference::Each(vec![a.l - b.l, a.a - b.a, a.b - b.b]))),

@@ -32,8 +32,8 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     rendering(&mut reading, &power);
     photometry(&mut reading, bench.unit, &power, scale);
 
-    reading.show(Rgb::from_xyz_y100(relative));
-    reading.note("srgb", "the light's chromaticity at Y = 1, clipped to the gamut; so is hex");
+    reading.show(Rgb::from_xyz(relative));
+    reading.note("srgb", "the light's chromaticity at Y = 100, clipped to the gamut; so is hex");
     let surfaces = "a light has none: it needs a surface and a white";
     reading.missing(&["lab", "delta_e2000"], surfaces);
     if bench.eye != Eye::Cie1931 {

@@ -27,7 +27,7 @@ pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, F
     }
     match Adaptation::between::<Bradford>(room.white, Srgb::WHITE_XYZ) {
         Some(to_d65) => {
-            let was_inside = reading.show(Rgb::from_xyz_y100(to_d65.apply(xyz)));
+            let was_inside = reading.show(Rgb::from_xyz(to_d65.apply(xyz)));
             if !was_inside {
                 reading.note("srgb", "outside the gamut, clipped; so is hex");
             }
