@@ -8,7 +8,7 @@ use model::{cct, delta_e, lab, transfer};
 use nanospectra::color::transfer::{SrgbTransfer, Transfer};
 use nanospectra::color::{Lab, Uv1960, Xy, Xyz, ciede2000, cri, dominant_wavelength, tm30};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Fine, Interpolation, Outside, Power, light};
+use nanospectra::{Fine, Power, light};
 use std::hint::black_box;
 
 fn near(what: &str, found: f32, truth: f64, tolerance: f64) {
@@ -61,7 +61,7 @@ fn rendering(c: &mut Criterion, lamp: &Fine<Power>) {
 
 fn main() {
     let mut c = Criterion::default().configure_from_args();
-    let lamp = light::FL2_1NM.interpolate(Interpolation::Linear, Outside::Zero);
+    let lamp = light::FL2_1NM.fine();
     point(&mut c, &lamp);
     rendering(&mut c, &lamp);
     c.final_summary();

@@ -6,7 +6,7 @@
 
 use criterion::{Criterion, Throughput};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, light};
+use nanospectra::{Curve, Grid, Interpolation, Light, Nodes, Observer, Power, light};
 use std::hint::black_box;
 use yardsticks::{exact, multiply_and_add, naive, pairwise, wide_one_pass};
 
@@ -19,7 +19,7 @@ fn near(found: f32, truth: f64) {
 /// One lamp, and a thousand, on `N` nodes.
 fn bands<const N: usize, G: Grid>(c: &mut Criterion) {
     let eye: Observer<3, N, Power, G> = CIE_1931.fold(Curve::Step);
-    let lamp: Light<N, G> = light::LED_B3_1NM.interpolate(Interpolation::Linear, Outside::Zero);
+    let lamp: Light<N, G> = light::LED_B3_1NM.interpolate(Interpolation::Linear);
     let by_hand = wide_one_pass(eye.weights(), lamp.values());
     for ((row, ours), by_hand) in eye.weights().iter().zip(eye.sees(&lamp)).zip(by_hand) {
         near(ours, exact(row, lamp.values()));

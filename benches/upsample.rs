@@ -12,11 +12,11 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, StartMap, Viewing,
 };
-use nanospectra::{Bins, Curve, Fine, Grid, Interpolation, Nodes, Outside, Power, Reflectance};
+use nanospectra::{Bins, Curve, Fine, Grid, Nodes, Power, Reflectance};
 use rgb2spec::optimize::{gamut::Gamut, optimize};
 use std::hint::black_box;
 
-static LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+static LIGHT: Fine<Power> = D65.fine();
 
 fn codes() -> Vec<[u8; 3]> {
     let mut state = 12345u32;

@@ -4,7 +4,7 @@
 //! `cargo run --release --example absolute_light`
 
 use nanospectra::radiometry::{AlphaOpic, illuminance, ppfd};
-use nanospectra::{Fine, Interpolation, Power, light};
+use nanospectra::{Fine, Power, light};
 
 fn show(name: &str, light: &Fine<Power>) {
     println!(
@@ -19,7 +19,7 @@ fn show(name: &str, light: &Fine<Power>) {
 
 /// The CIE illuminant of this name, so bright that it gives 500 lx.
 fn at_500_lx(name: &str) -> Option<Fine<Power>> {
-    let relative = light::named(name, Interpolation::Linear)?;
+    let relative = light::named(name)?;
     Some(relative * (500.0 / illuminance(&relative)))
 }
 

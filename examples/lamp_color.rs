@@ -5,7 +5,7 @@
 
 use nanospectra::color::{Xyz, cri};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Fine, Interpolation, Light, Nodes, Outside, Power};
+use nanospectra::{Fine, Light, Nodes, Power};
 
 /// Relative spectral power at 380, 385, .. 780 nm. Here it is CIE illuminant FL11, a three-band fluorescent
 /// lamp (CIE 15:2018, CC BY-SA 4.0), so that the results can be checked.
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The samples are read every 1 nm from 360 to 830 nm, as the CIE's sums ask for. (Samples at any other
     // spacing enter as pairs of wavelength and value through `Fine::interpolated`.)
     let measured = Light::<81, Nodes<380, 780>>::from_bins(SAMPLES);
-    let lamp: Fine<Power> = measured.interpolate(Interpolation::Linear, Outside::Zero);
+    let lamp: Fine<Power> = measured.fine();
 
     // The values are relative, so Y is set to 100.
     let xyz = Xyz::from(CIE_1931.sees(&lamp)).with_y(100.0).ok_or("the lamp is dark")?;

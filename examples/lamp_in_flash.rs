@@ -7,13 +7,10 @@
 use nanospectra::color::Xyz;
 use nanospectra::light::FL11;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Interpolation, Observer, Outside, Reflectance};
+use nanospectra::{Curve, Observer, Reflectance};
 
 /// Eye and lamp on 16 bands over 380..730 nm (the default range); a white surface has Y = 100.
-static EYE: Observer<3, 16> = CIE_1931
-    .under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))
-    .fold(Curve::Spline)
-    .with_white_y(100.0);
+static EYE: Observer<3, 16> = CIE_1931.under(&FL11.fine()).fold(Curve::Spline).with_white_y(100.0);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{} bytes of flash", size_of_val(&EYE));

@@ -7,13 +7,10 @@ use nanospectra::color::{Lab, Xyz};
 use nanospectra::light::D65;
 use nanospectra::matter::ThinFilm;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Interpolation, Observer, Outside, Reflectance};
+use nanospectra::{Curve, Observer, Reflectance};
 
 /// The eye in daylight, on 31 bands over 380..730 nm; a mirror has Y = 100.
-static EYE: Observer<3, 31> = CIE_1931
-    .under(&D65.interpolate(Interpolation::Linear, Outside::Zero))
-    .fold(Curve::Spline)
-    .with_white_y(100.0);
+static EYE: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Spline).with_white_y(100.0);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // From air through magnesium fluoride into crown glass, a quarter of a wave thick at 550 nm.

@@ -6,7 +6,7 @@
 
 use nanospectra::color::{Lab, Xyz, ciede2000};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Factor, Fine, Interpolation, Nodes, Outside, Reflectance, light};
+use nanospectra::{Factor, Fine, Nodes, Reflectance, light};
 
 /// Reflectance at 400, 410, .. 700 nm: the strong red of CIE 13.3 (test sample 9, Munsell 4.5 R 4/13).
 const PAINT: [f32; 31] = [
@@ -18,12 +18,12 @@ const PAINT: [f32; 31] = [
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Beyond its ends a reflectance is best guessed to stay as it is.
     let measured = Reflectance::<31, Nodes<400, 700>>::from_bins(PAINT);
-    let paint: Fine<Factor> = measured.interpolate(Interpolation::Linear, Outside::Hold);
+    let paint: Fine<Factor> = measured.fine();
 
     let mut in_daylight: Option<Lab> = None;
     // The chromaticity of each lamp, which is that of a white surface under it, as CIE 15:2018 lists it.
     for (name, [x, y]) in [("D65", [0.3127, 0.3290]), ("A", [0.4476, 0.4074]), ("FL11", [0.3805, 0.3769])] {
-        let lamp = light::named(name, Interpolation::Linear).ok_or("no such lamp")?;
+        let lamp = light::named(name).ok_or("no such lamp")?;
         // The eye in a room that is lit by the lamp; it reads reflectances, and white paper has Y = 100.
         let eye = CIE_1931.under(&lamp).with_white_y(100.0);
         let white = Xyz::from(eye.sees(&Fine::flat(1.0)));

@@ -7,24 +7,20 @@ use nanospectra::color::{EncodedRgb, Srgb, Xyz};
 use nanospectra::light::{A, D65};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Sigmoid, Status, Viewing};
-use nanospectra::{Curve, Factor, Interpolation, Nodes, Observer, Outside, Reflectance};
+use nanospectra::{Curve, Factor, Nodes, Observer, Reflectance};
 
 /// 31 bands, every 10 nm.
 type Grid = Nodes<400, 700>;
 
 /// sRGB is seen under D65: who looks, under what light and on which bands. The compiler works it out.
-static IN_DAYLIGHT: Observer<3, 31, Factor, Grid> = CIE_1931
-    .under(&D65.interpolate(Interpolation::Linear, Outside::Zero))
-    .fold(Curve::Step)
-    .with_white_y(100.0);
+static IN_DAYLIGHT: Observer<3, 31, Factor, Grid> =
+    CIE_1931.under(&D65.fine()).fold(Curve::Step).with_white_y(100.0);
 static VIEWING: Viewing<31, Grid> = Viewing::new(&IN_DAYLIGHT);
 static SIGMOID: Sigmoid<31, Grid> = Sigmoid::new(&VIEWING);
 
 /// The same eye at home, under an incandescent lamp (CIE illuminant A).
-static AT_HOME: Observer<3, 31, Factor, Grid> = CIE_1931
-    .under(&A.interpolate(Interpolation::Linear, Outside::Zero))
-    .fold(Curve::Step)
-    .with_white_y(100.0);
+static AT_HOME: Observer<3, 31, Factor, Grid> =
+    CIE_1931.under(&A.fine()).fold(Curve::Step).with_white_y(100.0);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let code = [210, 105, 30]; // #d2691e, "chocolate" in CSS

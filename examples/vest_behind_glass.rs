@@ -8,7 +8,7 @@ use nanospectra::color::Xyz;
 use nanospectra::light::{D65, LED_B3};
 use nanospectra::matter::{Dye, FluorescenceError};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Light, Observer, Outside, Power, Reflectance};
+use nanospectra::{Curve, Light, Observer, Power, Reflectance};
 
 /// 31 bands over 380..730 nm, the default range.
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
@@ -30,8 +30,8 @@ fn vest(quantum_yield: f32) -> Result<Dye<31>, FluorescenceError> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (glowing, faded) = (vest(0.85)?, vest(0.0)?);
-    let daylight: Light<31> = D65.resample(Outside::Zero);
-    let headlamp: Light<31> = LED_B3.resample(Outside::Zero);
+    let daylight: Light<31> = D65.resample();
+    let headlamp: Light<31> = LED_B3.resample();
     let windscreen = Reflectance::averaged(|nm| 0.75 - 0.1 * rise(nm, 600.0, 40.0)); // transmittance
 
     // The luminance factor compares with a perfect white in the same place; what glows may be above 1.

@@ -4,17 +4,17 @@
 //! ```
 //! use nanospectra::color::{Cct, Xyz};
 //! use nanospectra::observer::CIE_1931;
-//! use nanospectra::{Curve, Fine, Interpolation, Observer, Outside, Power, Reflectance, light};
+//! use nanospectra::{Curve, Fine, Observer, Power, Reflectance, light};
 //!
 //! // A measured lamp, every 5 nm (here a table's), to its color: interpolate to 1 nm, sum.
-//! let lamp: Fine<Power> = light::FL11.interpolate(Interpolation::Linear, Outside::Zero);
+//! let lamp: Fine<Power> = light::FL11.fine();
 //! let xyz = Xyz::from(CIE_1931.sees(&lamp));
 //! let Some(Cct::Near { cct_k, duv }) = xyz.uv1960().map(|uv| uv.cct()) else { return };
 //! assert!((cct_k - 3998.0).abs() < 8.0 && duv.abs() < 1e-3); // CIE 15: FL11, 4000 K
 //!
 //! // The same lamp folded into the eye: 192 bytes that read a reflectance of 16 numbers.
 //! static EYE: Observer<3, 16> = CIE_1931
-//!     .under(&light::FL11.interpolate(Interpolation::Linear, Outside::Zero))
+//!     .under(&light::FL11.fine())
 //!     .fold(Curve::Spline)
 //!     .with_white_y(100.0);
 //! let gray = Reflectance::flat(0.5);
@@ -113,8 +113,8 @@ pub mod math;
 pub use grid::{Bands, Bins, Grid, Nodes};
 pub use observer::{Curve, FineObserver, Observer};
 pub use spectrum::{
-    Factor, Fine, Index, Interpolation, Light, Outside, PerBin, Power, Quantity, Reflectance, SamplesError,
-    Spectrum,
+    Factor, Fine, Interpolation, Light, Outside, PerBin, Power, Quantity, Reflectance, RefractiveIndex,
+    SamplesError, Spectrum,
 };
 #[cfg(feature = "heapless")]
 pub use spectrum::{PushError, Samples};

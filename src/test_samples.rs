@@ -3,7 +3,7 @@
 #![expect(clippy::approx_constant, reason = "measured numbers that happen to look like 1/pi")]
 
 use crate::grid::Nodes;
-use crate::spectrum::{Factor, Fine, Interpolation, Outside, Spectrum};
+use crate::spectrum::{Factor, Fine, Interpolation, Spectrum};
 
 include!(concat!(env!("OUT_DIR"), "/samples.rs"));
 
@@ -16,7 +16,7 @@ pub(crate) static TCS_5NM: [Spectrum<Factor, 95, Nodes<360, 830>>; 15] = {
         samples[k] = TCS14_5NM[k];
         k += 1;
     }
-    samples[14] = TCS15_5NM[0].interpolate(Interpolation::Linear, Outside::Hold);
+    samples[14] = TCS15_5NM[0].interpolate(Interpolation::Linear);
     samples
 };
 
@@ -26,9 +26,9 @@ pub static TCS: [Fine<Factor>; 15] = {
     let mut samples = [Spectrum::flat(0.0); 15];
     let mut k = 0;
     while k < 14 {
-        samples[k] = TCS14_5NM[k].interpolate(Interpolation::Sprague, Outside::Hold);
+        samples[k] = TCS14_5NM[k].interpolate(Interpolation::Sprague);
         k += 1;
     }
-    samples[14] = TCS15_5NM[0].interpolate(Interpolation::Sprague, Outside::Hold);
+    samples[14] = TCS15_5NM[0].interpolate(Interpolation::Sprague);
     samples
 };

@@ -8,7 +8,7 @@ use colorimetry::xyz::XYZ;
 use model::noise::Noise;
 use model::{cct, cri, delta_e, lab, transfer};
 use nanospectra::color::{Lab, Rgb, Srgb, Xyz, ciede2000, cri as rendering, tm30};
-use nanospectra::{Fine, Interpolation, Outside, Power, light};
+use nanospectra::{Fine, Power, light};
 use palette::LinSrgb;
 use palette::color_difference::Ciede2000;
 use palette::convert::FromColorUnclamped;
@@ -55,7 +55,7 @@ fn temperature(races: &mut Races) {
 }
 
 fn color_rendering(races: &mut Races) {
-    let lamp: Fine<Power> = light::FL2_1NM.interpolate(Interpolation::Linear, Outside::Zero);
+    let lamp: Fine<Power> = light::FL2_1NM.fine();
     let std_lamp = Illuminant::new(StdSpectrum::from(light::FL2_1NM.values().map(f64::from)));
     let truth = cri::Method::new(cri::Mode::OneNm).of_values(&lamp.values().map(f64::from)).ra;
     let (ours, theirs) = (rendering(&lamp).expect("white").ra, std_lamp.cri().expect("white").ra());

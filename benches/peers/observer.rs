@@ -4,7 +4,7 @@ use crate::race::Races;
 use colorimetry::observer::Observer as StdObserver;
 use colorimetry::spectrum::Spectrum as StdSpectrum;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, light};
+use nanospectra::{Curve, Grid, Interpolation, Light, Nodes, Observer, Power, light};
 use std::hint::black_box;
 use yardsticks::{exact, multiply_and_add, naive, pairwise, wide_one_pass};
 
@@ -35,7 +35,7 @@ fn eye<const N: usize, G: Grid>() -> Observer<3, N, Power, G> {
 }
 
 fn lamp<const N: usize, G: Grid>() -> Light<N, G> {
-    light::LED_B3_1NM.interpolate(Interpolation::Linear, Outside::Zero)
+    light::LED_B3_1NM.interpolate(Interpolation::Linear)
 }
 
 fn check<const N: usize>(rows: &[[f32; N]; 3], s: &[f32; N], found: [f32; 3]) {

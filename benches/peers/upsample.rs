@@ -4,13 +4,13 @@ use crate::race::{Races, each};
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Basis, Sigmoid, Viewing};
-use nanospectra::{Curve, Interpolation, Nodes, Outside, light::D65};
+use nanospectra::{Curve, Nodes, light::D65};
 use rgb2spec::optimize::{gamut::Gamut, optimize};
 
 type Grid = Nodes<400, 700>;
 
 pub fn all(races: &mut Races) {
-    let light = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let light = D65.fine();
     let viewing: Viewing<31, Grid> = Viewing::new(&CIE_1931.under(&light).fold(Curve::Step));
     let sigmoid: Sigmoid<31, Grid> = Sigmoid::new(&viewing);
     let basis = Basis::new(&viewing);

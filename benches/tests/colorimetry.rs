@@ -10,7 +10,7 @@ use model::tables::Observer;
 use nanospectra::color::{Xyz, cri, tm30};
 use nanospectra::light;
 use nanospectra::observer::{CIE_1931, CIE_1964, CIE_2015_2, CIE_2015_10};
-use nanospectra::{Fine, Interpolation, Nodes, Outside, Power, Spectrum};
+use nanospectra::{Fine, Nodes, Power, Spectrum};
 
 macro_rules! names {
     ($($name:ident)*) => { [$((stringify!($name), Theirs::$name)),*] };
@@ -27,7 +27,7 @@ fn ours(theirs: Theirs) -> Fine<Power> {
     let spectrum: &colorimetry::spectrum::Spectrum = theirs.illuminant().as_ref();
     let values = spectrum.as_array().map(|value| value as f32);
     let nodes = Spectrum::<Power, 401, Nodes<380, 780>>::from_bins(values);
-    nodes.interpolate(Interpolation::Linear, Outside::Zero)
+    nodes.fine()
 }
 
 #[test]

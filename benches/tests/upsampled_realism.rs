@@ -6,19 +6,11 @@ use nanospectra::light::{A, D65, FL2, FL11, LED_B3};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Basis, Sigmoid, Smits, Viewing};
-use nanospectra::{
-    Curve, Factor, Fine, Interpolation, Nodes, Observer, Outside, Power, Reflectance, Spectrum,
-};
+use nanospectra::{Curve, Factor, Nodes, Observer, Reflectance};
 use rgb2spec::optimize::{gamut::Gamut, optimize};
 
 type Grid = Nodes<380, 780>;
 type Eye = Observer<3, 81, Factor, Grid>;
-
-fn fine<const N: usize, const FIRST: u16, const LAST: u16>(
-    light: &Spectrum<Power, N, Nodes<FIRST, LAST>>,
-) -> Fine<Power> {
-    light.interpolate(Interpolation::Linear, Outside::Zero)
-}
 
 /// Means over the samples: root mean square of the difference over 400..=700 nm; CIEDE2000 under each lamp; and
 /// the mean size of second differences.
@@ -59,14 +51,14 @@ impl Realism {
 
 #[test]
 fn of_the_exact_methods_the_sigmoid_is_nearest_to_measured_samples() {
-    let viewing: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&fine(&D65)).fold(Curve::Step));
-    let lamps: [Eye; 4] = [fine(&A), fine(&FL2), fine(&FL11), fine(&LED_B3)]
+    let viewing: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
+    let lamps: [Eye; 4] = [A.fine(), FL2.fine(), FL11.fine(), LED_B3.fine()]
         .map(|light| CIE_1931.under(&light).fold(Curve::Step));
     let (sigmoid, basis, smits) = (Sigmoid::<81, Grid>::new(&viewing), Basis::new(&viewing), Smits::new());
     let peer = peer();
     let mut all = [(); 4].map(|()| Realism::default());
     for sample in &CES {
-        let real: Reflectance<81, Grid> = sample.resample(Outside::Hold);
+        let real: Reflectance<81, Grid> = sample.resample();
         let rgb = viewing.rgb(&real);
         if rgb.in_gamut() {
             let made = [
@@ -104,7 +96,7 @@ fn peer() -> impl Fn(Rgb<Srgb>) -> Reflectance<81, Grid> {
 
 #[test]
 fn a_table_of_coefficients_is_off_and_by_how_much() {
-    let viewing: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&fine(&D65)).fold(Curve::Step));
+    let viewing: Viewing<81, Grid> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
     let peer = peer();
     let (mut wrong, mut sum, mut worst, mut count) = (0u32, 0.0, 0.0f32, 0u32);
     for r in (0..=255).step_by(15) {

@@ -4,7 +4,7 @@ use crate::color::{Cct, Xyz};
 use crate::light::{C2_COLOR_NM, blackbody_shape, daylight_at};
 use crate::math::Portable;
 use crate::observer::CIE_1931;
-use crate::spectrum::{Fine, Interpolation, Outside, Power, Spectrum};
+use crate::spectrum::{Fine, Power, Spectrum};
 use core::fmt;
 
 /// Why a light has no color rendering.
@@ -52,5 +52,5 @@ pub(super) fn planckian(cct_k: f32) -> Fine<Power> {
 
 /// CIE daylight, 100 at 560 nm; straight between its 5 nm nodes.
 pub(super) fn daylight(cct_k: f32) -> Fine<Power> {
-    daylight_at(cct_k).interpolate(Interpolation::Linear, Outside::Zero)
+    daylight_at(cct_k).fine()
 }

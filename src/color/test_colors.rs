@@ -10,7 +10,7 @@
 
 use crate::light::{S0, S1, S2, daylight_factors};
 use crate::observer::{CIE_1931, FineObserver};
-use crate::spectrum::{BEYOND, Factor, Fine, Interpolation, Outside, Power, quintic};
+use crate::spectrum::{BEYOND, Factor, Fine, Power, quintic};
 use crate::test_samples::{TCS, TCS_5NM};
 
 include!(concat!(env!("OUT_DIR"), "/reference.rs"));
@@ -133,7 +133,7 @@ static DAYLIGHT_COLORS: [Colors; 3] = {
     let mut lights = [[0.0; 471]; 3];
     let mut m = 0;
     while m < 3 {
-        let fine: Fine<Power> = parts[m].interpolate(Interpolation::Linear, Outside::Zero);
+        let fine: Fine<Power> = parts[m].fine();
         let mut nm = 0;
         while nm < 471 {
             lights[m][nm] = fine.values()[nm] as f64;

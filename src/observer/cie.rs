@@ -2,7 +2,7 @@
 
 use crate::grid::{Bands, Grid, Nodes};
 use crate::observer::{Curve, FineObserver, Observer};
-use crate::spectrum::{Interpolation, Outside, Power, Spectrum};
+use crate::spectrum::{Interpolation, Power, Spectrum};
 
 /// Luminous efficacy of radiation at 555 nm, lm/W: times the sum of power and V(lambda).
 ///
@@ -67,8 +67,7 @@ const fn cones(table: &[Spectrum<Power, 89, Nodes<390, 830>>; 3]) -> FineObserve
     let mut rows = [[0.0; 471]; 3];
     let mut c = 0;
     while c < 3 {
-        let fine: Spectrum<Power, 471, Nodes<360, 830>> =
-            table[c].interpolate(Interpolation::Sprague, Outside::Zero);
+        let fine: Spectrum<Power, 471, Nodes<360, 830>> = table[c].interpolate(Interpolation::Sprague);
         let mut k = 0;
         while k < 471 {
             let value = fine.values()[k];

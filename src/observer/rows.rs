@@ -18,10 +18,10 @@ use core::marker::PhantomData;
 /// reflectance of what that light falls on ([`Factor`]).
 ///
 /// ```
-/// use nanospectra::{Curve, Interpolation, Observer, Outside, Reflectance, light::FL11, observer::CIE_1931};
+/// use nanospectra::{Curve, Observer, Reflectance, light::FL11, observer::CIE_1931};
 ///
 /// static EYE: Observer<3, 16> = CIE_1931
-///     .under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))
+///     .under(&FL11.fine())
 ///     .fold(Curve::Spline)
 ///     .with_white_y(100.0);
 ///

@@ -3,7 +3,7 @@
 use crate::light::D65;
 use crate::observer::{ALPHA_OPIC, KM, V_PHOTOPIC};
 use crate::radiometry::illuminance;
-use crate::spectrum::{Fine, Interpolation, Outside, Power};
+use crate::spectrum::{Fine, Power};
 
 /// One number for each of the five alpha-opic responses of CIE S 026.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,7 +24,7 @@ pub struct AlphaOpic {
 /// Efficacy of luminous radiation of D65 for each response, W/lm, from the tables: sums over
 /// 380..=780 nm, 683.002 lm/W.
 static D65_W_PER_LM: [f32; 5] = {
-    let d65: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let d65: Fine<Power> = D65.fine();
     let alpha = ALPHA_OPIC.under(&d65).row_sums();
     let luminous = KM as f64 * V_PHOTOPIC.under(&d65.within(380.0, 780.0)).row_sums()[0];
     let mut ratios = [0.0; 5];

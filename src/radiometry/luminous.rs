@@ -33,8 +33,8 @@ pub fn scotopic_illuminance(light: &Fine<Power>) -> f32 {
 /// if there is no power.
 ///
 /// ```
-/// # use nanospectra::{Interpolation, Outside, light::D65, radiometry::luminous_efficacy};
-/// let d65 = D65.interpolate(Interpolation::Linear, Outside::Zero);
+/// # use nanospectra::{light::D65, radiometry::luminous_efficacy};
+/// let d65 = D65.fine();
 /// assert!(luminous_efficacy(&d65).is_some_and(|ler| (ler - 184.17).abs() < 0.01));
 /// ```
 #[must_use]

@@ -5,12 +5,12 @@ use core::fmt;
 /// Up to `CAP` samples of a spectrum, checked as they come in. Needs the feature `heapless`.
 ///
 /// ```
-/// # use nanospectra::{Light, Outside, Samples};
+/// # use nanospectra::{Light, Samples};
 /// let mut samples = Samples::<512>::new();
 /// for (nm, value) in [(380.0, 0.1), (555.0, 1.0), (780.0, 0.2)] {
 ///     samples.push(nm, value)?;
 /// }
-/// let light = Light::<16>::from_samples(samples.as_slice(), Outside::Zero);
+/// let light = Light::<16>::from_samples(samples.as_slice());
 /// # assert!(light.is_ok());
 /// # Ok::<(), nanospectra::PushError>(())
 /// ```

@@ -1,7 +1,7 @@
 //! From the nodes of one grid to those of another: straight lines, or Sprague's quintic.
 
 use crate::grid::{Grid, Layout};
-use crate::spectrum::{Outside, Quantity, Spectrum};
+use crate::spectrum::{Fine, Outside, Quantity, Spectrum};
 
 /// How to read between samples. The choice moves xy by up to 3.4e-4, so it has a name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,17 +16,39 @@ pub enum Interpolation {
 }
 
 impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// Reads this spectrum at the bin centers of another grid; `const`, to bring tables to 1 nm.
-    ///
-    /// With fewer than six bands Sprague's interpolation falls back to straight lines.
+    /// This spectrum at every nanometer of 360..=830, by straight lines between the centers of its bins: what the
+    /// CIE's sums ask of a table. Beyond its data a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
     ///
     /// ```
-    /// # use nanospectra::{Fine, Interpolation, Outside, Power, light::FL11};
-    /// static FL11_FINE: Fine<Power> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
+    /// # use nanospectra::{Fine, Power, light::FL11};
+    /// static FL11_FINE: Fine<Power> = FL11.fine();
     /// assert_eq!(FL11_FINE.values()[545 - 360], FL11.values()[(545 - 380) / 5]);
+    /// // The table ends at 780 nm.
+    /// assert_eq!(FL11_FINE.values()[800 - 360], 0.0);
     /// ```
     #[must_use]
-    pub const fn interpolate<const M: usize, H: Grid>(
+    pub const fn fine(&self) -> Fine<Q> {
+        self.interpolate(Interpolation::Linear)
+    }
+
+    /// Reads this spectrum at the bin centers of another grid; `const`, as [`fine`](Self::fine).
+    ///
+    /// With fewer than six bands Sprague's interpolation falls back to straight lines. Beyond its data a light is
+    /// zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
+    ///
+    /// ```
+    /// # use nanospectra::{Fine, Interpolation, Power, light::FL11};
+    /// static SMOOTH: Fine<Power> = FL11.interpolate(Interpolation::Sprague);
+    /// assert_eq!(SMOOTH.values()[545 - 360], FL11.values()[(545 - 380) / 5]);
+    /// ```
+    #[must_use]
+    pub const fn interpolate<const M: usize, H: Grid>(&self, by: Interpolation) -> Spectrum<Q, M, H> {
+        self.interpolate_outside(by, Q::OUTSIDE)
+    }
+
+    /// As [`interpolate`](Self::interpolate), where `outside` says what lies beyond the data.
+    #[must_use]
+    pub const fn interpolate_outside<const M: usize, H: Grid>(
         &self,
         by: Interpolation,
         outside: Outside,

@@ -14,7 +14,7 @@ mod series;
 #[cfg(feature = "heapless")]
 pub use collect::{PushError, Samples};
 pub use interpolate::Interpolation;
-pub use quantity::{Factor, Index, PerBin, Power, Quantity};
+pub use quantity::{Factor, PerBin, Power, Quantity, RefractiveIndex};
 pub use samples::{Outside, SamplesError};
 pub use series::{Fine, Light, Reflectance, Spectrum};
 

@@ -1,5 +1,7 @@
 //! What the numbers of a spectrum mean.
 
+use crate::spectrum::Outside;
+
 /// What a spectrum's averages are averages of: [`Power`] or [`Factor`].
 ///
 /// An observer carries the quantity it reads, so a lamp cannot be shown to an eye that already
@@ -8,7 +10,11 @@
     message = "`{Self}` is not a spectral quantity: use `Power` or `Factor`",
     note = "what is counted `PerBin` becomes `Power` by `density()`"
 )]
-pub trait Quantity: sealed::Sealed + Copy + 'static {}
+pub trait Quantity: sealed::Sealed + Copy + 'static {
+    /// What a spectrum of this quantity is outside its data: a light is taken to end there, a factor or an index of
+    /// refraction to stay what it was at the nearest wavelength.
+    const OUTSIDE: Outside;
+}
 
 /// Spectral power (flux, irradiance, radiance ..) for each nanometer; relative or in W/nm, W/m2/nm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +27,7 @@ pub struct Factor;
 /// A refractive index, or the extinction coefficient beside it; relative to the medium light comes from. What
 /// [`Dielectric`](crate::matter::Dielectric) and [`Conductor`](crate::matter::Conductor) make reflectances from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Index;
+pub struct RefractiveIndex;
 
 /// What a bin holds in all, and not for each nanometer: the counts of a spectrometer's pixels, which already
 /// sum up what falls on their width. Made by [`Wavelengths::rebinned`](crate::sensor::Wavelengths::rebinned).
@@ -31,13 +37,21 @@ pub struct Index;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PerBin;
 
-impl Quantity for Power {}
-impl Quantity for Factor {}
-impl Quantity for Index {}
+impl Quantity for Power {
+    const OUTSIDE: Outside = Outside::Zero;
+}
+
+impl Quantity for Factor {
+    const OUTSIDE: Outside = Outside::Hold;
+}
+
+impl Quantity for RefractiveIndex {
+    const OUTSIDE: Outside = Outside::Hold;
+}
 
 mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Power {}
     impl Sealed for super::Factor {}
-    impl Sealed for super::Index {}
+    impl Sealed for super::RefractiveIndex {}
 }

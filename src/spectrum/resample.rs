@@ -7,14 +7,20 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// The averages over the bins of another grid, each bin here taken as constant: power over
     /// any range that both grids tile is conserved.
     ///
-    /// What the new grid has beyond this one follows `outside`. The target is named by the
-    /// caller: `light.resample::<31, Bins<400, 700>>(Outside::Zero)`.
+    /// Beyond its data a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]). The target is named
+    /// by the caller: `light.resample::<31, Bins<400, 700>>()`.
     ///
     /// # Accuracy
     /// The same grid gives the same bits, a constant stays exactly constant; power is conserved
     /// within 5e-7.
     #[must_use]
-    pub fn resample<const M: usize, H: Grid>(&self, outside: Outside) -> Spectrum<Q, M, H> {
+    pub fn resample<const M: usize, H: Grid>(&self) -> Spectrum<Q, M, H> {
+        self.resample_outside(Q::OUTSIDE)
+    }
+
+    /// As [`resample`](Self::resample), where `outside` says what lies beyond the data.
+    #[must_use]
+    pub fn resample_outside<const M: usize, H: Grid>(&self, outside: Outside) -> Spectrum<Q, M, H> {
         let mut values = [0.0; M];
         let mut k = 0;
         for (j, value) in values.iter_mut().enumerate() {

@@ -5,13 +5,14 @@ use crate::spectrum::interpolate::{Interpolation, Place};
 use crate::spectrum::{Quantity, Spectrum};
 use core::fmt;
 
-/// What a spectrum is where there are no samples.
+/// What a spectrum is where it has no data. Its quantity decides ([`Quantity::OUTSIDE`]); methods whose names end in
+/// `_outside` take another choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outside {
-    /// Nothing: the choice for lights.
+    /// Nothing: what a light is taken for.
     Zero,
-    /// What the nearest sample says: the choice for reflectances.
+    /// What the nearest sample says: what reflectances and refractive indices are taken for.
     Hold,
 }
 
@@ -63,8 +64,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// The average over each bin of the straight lines that join the samples: the exact
     /// integral, whether there are hundreds of samples in a bin or one in ten bins.
     ///
-    /// `samples` are (wavelength in nm, value), in increasing order, at any spacing; `outside`
-    /// says what lies beyond the first and the last.
+    /// `samples` are (wavelength in nm, value), in increasing order, at any spacing. Beyond the first and the
+    /// last a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
     ///
     /// # Accuracy
     /// A constant comes out as exactly that constant, at every `N`; otherwise within 2e-6 of the
@@ -72,7 +73,15 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     ///
     /// # Errors
     /// [`SamplesError`]: fewer than two, not finite, not increasing. Nothing is sorted or dropped.
-    pub fn from_samples(samples: &[(f32, f32)], outside: Outside) -> Result<Self, SamplesError> {
+    pub fn from_samples(samples: &[(f32, f32)]) -> Result<Self, SamplesError> {
+        Self::from_samples_outside(samples, Q::OUTSIDE)
+    }
+
+    /// As [`from_samples`](Self::from_samples), where `outside` says what lies beyond the first and the last sample.
+    ///
+    /// # Errors
+    /// [`SamplesError`]: as [`from_samples`](Self::from_samples).
+    pub fn from_samples_outside(samples: &[(f32, f32)], outside: Outside) -> Result<Self, SamplesError> {
         check(samples)?;
         let mut lines = Lines { samples, outside, next: 0 };
         let mut averages = [0.0; N];
@@ -86,12 +95,21 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     ///
     /// On the [`Fine`](crate::Fine) grid this is the CIE's rule for measured samples:
     /// interpolate to 1 nm, then sum. (To put samples into wide bins use
-    /// [`from_samples`](Self::from_samples): points miss what lies between them.)
+    /// [`from_samples`](Self::from_samples): points miss what lies between them.) Beyond the first and
+    /// the last sample a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
     ///
     /// # Errors
     /// [`SamplesError`]: as [`from_samples`](Self::from_samples); Sprague's interpolation also
     /// needs six samples at one spacing.
-    pub fn interpolated(
+    pub fn interpolated(samples: &[(f32, f32)], by: Interpolation) -> Result<Self, SamplesError> {
+        Self::interpolated_outside(samples, by, Q::OUTSIDE)
+    }
+
+    /// As [`interpolated`](Self::interpolated), where `outside` says what lies beyond the first and the last sample.
+    ///
+    /// # Errors
+    /// [`SamplesError`]: as [`interpolated`](Self::interpolated).
+    pub fn interpolated_outside(
         samples: &[(f32, f32)],
         by: Interpolation,
         outside: Outside,

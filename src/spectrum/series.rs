@@ -15,9 +15,9 @@ use core::marker::PhantomData;
 /// `N * 4` bytes, nothing else; `Copy`, but pass it by reference.
 ///
 /// ```
-/// # use nanospectra::{Light, Outside};
+/// # use nanospectra::Light;
 /// let lamp = [(400.0, 1.0), (500.0, 3.0), (700.0, 1.0)];
-/// let light = Light::<16>::from_samples(&lamp, Outside::Zero)?;
+/// let light = Light::<16>::from_samples(&lamp)?;
 /// // The area under the three points: 100 * 2 + 200 * 2.
 /// assert!((light.power() - 600.0).abs() < 1e-3);
 /// # Ok::<(), nanospectra::SamplesError>(())

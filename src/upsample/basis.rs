@@ -3,7 +3,7 @@
 use crate::color::matrix::{Matrix64, inverse64, product64};
 use crate::color::{Rgb, RgbSpace, Srgb};
 use crate::grid::{Bins, Grid, Nodes};
-use crate::spectrum::{Factor, Interpolation, Outside, Spectrum};
+use crate::spectrum::{Factor, Interpolation, Spectrum};
 use crate::upsample::tables::BASIS;
 use crate::upsample::viewing::Viewing;
 use core::marker::PhantomData;
@@ -40,9 +40,9 @@ impl<const N: usize, G: Grid, S: RgbSpace> Basis<N, G, S> {
     /// ```
     /// use nanospectra::color::Rgb;
     /// use nanospectra::upsample::{Basis, Viewing};
-    /// use nanospectra::{Bins, Curve, Interpolation, Outside, light::D65, observer::CIE_1931};
+    /// use nanospectra::{Bins, Curve, light::D65, observer::CIE_1931};
     /// static VIEWING: Viewing<36> =
-    ///     Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+    ///     Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
     /// static BASIS: Basis<36> = Basis::new(&VIEWING);
     /// let teal = BASIS.reflectance(Rgb::new(0.1, 0.5, 0.4));
     /// let back = VIEWING.rgb(&teal);
@@ -116,6 +116,5 @@ const fn spectra<const N: usize, G: Grid>() -> [[f64; N]; 3] {
 }
 
 const fn on_grid<const N: usize, G: Grid>(column: [f32; 81]) -> Spectrum<Factor, N, G> {
-    Spectrum::<Factor, 81, Nodes<380, 780>>::from_bins(column)
-        .interpolate(Interpolation::Linear, Outside::Hold)
+    Spectrum::<Factor, 81, Nodes<380, 780>>::from_bins(column).interpolate(Interpolation::Linear)
 }

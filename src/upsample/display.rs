@@ -5,7 +5,7 @@ use crate::color::matrix::{Matrix64, apply, apply64, inverse64, rounded, scale_c
 use crate::grid::{Bins, Grid};
 use crate::light::LED_B4_1NM;
 use crate::observer::Observer;
-use crate::spectrum::{Factor, Interpolation, Outside, Power, Spectrum};
+use crate::spectrum::{Factor, Interpolation, Power, Spectrum};
 
 /// A display with three primaries whose spectra are known: the RGB it needs for a color, and the light that
 /// leaves it then.
@@ -92,7 +92,7 @@ impl<const N: usize, G: Grid> Display<N, G> {
     /// above about 640, 535 and 455 nm with half widths of 45, 38 and 32 nm, and 1 % of light that leaks.
     #[must_use]
     pub const fn lcd(eye: &Observer<3, N, Power, G>) -> Self {
-        let lamp: Spectrum<Power, N, G> = LED_B4_1NM.interpolate(Interpolation::Linear, Outside::Zero);
+        let lamp: Spectrum<Power, N, G> = LED_B4_1NM.interpolate(Interpolation::Linear);
         let red = filtered(&lamp, &bell::<Factor, N, G>(640.0, 45.0));
         let green = filtered(&lamp, &bell::<Factor, N, G>(535.0, 38.0));
         let blue = filtered(&lamp, &bell::<Factor, N, G>(455.0, 32.0));

@@ -19,9 +19,9 @@ impl<const N: usize, G: Grid, S: RgbSpace> Made<N, G, S> {
     /// this eye on this grid. For the whites that are daylight it is that phase of daylight.
     const WHITE: Spectrum<Power, N, G> = {
         let parts: [Spectrum<Power, N, G>; 3] = [
-            S0.interpolate(Interpolation::Linear, Outside::Hold),
-            S1.interpolate(Interpolation::Linear, Outside::Hold),
-            S2.interpolate(Interpolation::Linear, Outside::Hold),
+            S0.interpolate_outside(Interpolation::Linear, Outside::Hold),
+            S1.interpolate_outside(Interpolation::Linear, Outside::Hold),
+            S2.interpolate_outside(Interpolation::Linear, Outside::Hold),
         ];
         let mut seen: Matrix64 = [[0.0; 3]; 3];
         let mut part = 0;

@@ -14,7 +14,7 @@ use crate::spectrum::{Factor, Quantity, Spectrum};
 ///
 /// ```
 /// use nanospectra::{Light, Observer, Power, Curve, light, observer::CIE_1931, upsample::CohenR};
-/// use nanospectra::{Interpolation, Nodes, Outside};
+/// use nanospectra::Nodes;
 /// type Lamp = Light<81, Nodes<380, 780>>;
 /// static EYE: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Curve::Step);
 /// static R: CohenR<81, Power, Nodes<380, 780>> = CohenR::new(&EYE);

@@ -9,11 +9,11 @@
 //! use nanospectra::light::D65;
 //! use nanospectra::observer::CIE_1931;
 //! use nanospectra::upsample::{Sigmoid, Status, Viewing};
-//! use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance};
+//! use nanospectra::{Curve, Nodes, Reflectance};
 //!
 //! // Who looks, under what, on which grid: 31 bands under D65, for sRGB. All of it worked out by the compiler.
 //! static VIEWING: Viewing<31, Nodes<400, 700>> =
-//!     Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+//!     Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
 //! static SIGMOID: Sigmoid<31, Nodes<400, 700>> = Sigmoid::new(&VIEWING);
 //!
 //! # #[cfg(feature = "libm")] {

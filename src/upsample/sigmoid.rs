@@ -69,9 +69,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// ```
     /// use nanospectra::color::{DisplayP3, Rgb};
     /// use nanospectra::upsample::{QuinticStart, Sigmoid, Status, Viewing};
-    /// use nanospectra::{Bins, Curve, Interpolation, Outside, light::D65, observer::CIE_1931};
+    /// use nanospectra::{Bins, Curve, light::D65, observer::CIE_1931};
     /// static VIEWING: Viewing<36, Bins<380, 730>, DisplayP3> = Viewing::new(
-    ///     &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
+    ///     &CIE_1931.under(&D65.fine()).fold(Curve::Step),
     /// );
     /// static SIGMOID: Sigmoid<36, Bins<380, 730>, DisplayP3, QuinticStart> = Sigmoid::new(&VIEWING);
     /// assert_eq!(SIGMOID.reflectance(Rgb::new(0.9, 0.3, 0.2)).status, Status::Exact);

@@ -30,10 +30,10 @@ impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
     ///
     /// ```
     /// use nanospectra::color::{DisplayP3, Rgb};
-    /// use nanospectra::{Bins, Curve, Interpolation, Outside, Reflectance, light::D65, observer::CIE_1931};
+    /// use nanospectra::{Bins, Curve, Reflectance, light::D65, observer::CIE_1931};
     /// use nanospectra::upsample::Viewing;
     /// static VIEWING: Viewing<60, Bins<400, 700>, DisplayP3> = Viewing::new(
-    ///     &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
+    ///     &CIE_1931.under(&D65.fine()).fold(Curve::Step),
     /// );
     /// let gray = VIEWING.rgb(&Reflectance::flat(0.25));
     /// assert!((gray.r - 0.25).abs() < 1e-6 && (gray.g - 0.25).abs() < 1e-6 && (gray.b - 0.25).abs() < 1e-6);

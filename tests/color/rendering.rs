@@ -7,13 +7,13 @@ use model::csv::{Row, golden};
 use model::tables::source;
 use nanospectra::color::{RenderingError, cri, tm30};
 use nanospectra::light::blackbody_relative;
-use nanospectra::{Fine, Interpolation, Outside, Power};
+use nanospectra::{Fine, Interpolation, Power};
 
 /// The goldens' rule: Sprague to 1 nm, nothing outside.
 fn light(id: &str) -> Fine<Power> {
     let samples: Vec<(f32, f32)> =
         source(id).points().iter().map(|(nm, value)| (*nm as f32, *value as f32)).collect();
-    Fine::interpolated(&samples, Interpolation::Sprague, Outside::Zero).expect("a good spectrum")
+    Fine::interpolated(&samples, Interpolation::Sprague).expect("a good spectrum")
 }
 
 /// What is found for the light of a row; nothing of one that is no white.

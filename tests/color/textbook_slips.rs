@@ -23,7 +23,7 @@ fn sum_of_rows(light: &Light<81, Grid>) -> Light<81, Grid> {
 
 #[test]
 fn tristimulus_values_are_inner_products_and_no_coefficients() {
-    let light: Light<81, Grid> = D65.resample(nanospectra::Outside::Zero);
+    let light: Light<81, Grid> = D65.resample();
     let xy = |light| Xyz::from(EYE.sees(light)).xy().map(|xy| [xy.x, xy.y]).expect("visible");
     let distance = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     // X x-bar + Y y-bar + Z z-bar is neither the spectrum nor a spectrum of that color: it is pink.
@@ -38,7 +38,7 @@ fn tristimulus_values_are_inner_products_and_no_coefficients() {
 #[test]
 fn a_display_needs_the_inverse_of_its_matrix_and_not_the_overlap_of_its_primaries() {
     let display: Display<81, Grid> = Display::led(&EYE);
-    let light: Light<81, Grid> = D65.resample(nanospectra::Outside::Zero);
+    let light: Light<81, Grid> = D65.resample();
     let light = light * (1.0 / EYE.sees(&light)[1]);
     let asked = EYE.sees(&light);
     let by_matrix = EYE.sees(&display.emits(display.rgb(Xyz::from(asked))));

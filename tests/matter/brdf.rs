@@ -9,7 +9,7 @@ use nanospectra::matter::{
     Brdf, Conductor, Dielectric, Glass, Lambert, Microfacet, N_BK7, OrenNayar, Reflector, Smooth, Specular,
     TrowbridgeReitz, VisibleNormals,
 };
-use nanospectra::{Index, Light, Nodes, Reflectance, Spectrum};
+use nanospectra::{Light, Nodes, Reflectance, RefractiveIndex, Spectrum};
 
 /// In the plane of x.
 fn tilted(cos_theta: f32) -> Direction {
@@ -41,7 +41,7 @@ fn reciprocity_is_kept_by_all_and_its_check_finds_who_does_not() {
     assert_eq!(reciprocity(&Lambert(0.5), &nodes), 0.0);
     assert_eq!(reciprocity(&OrenNayar::new(0.8, 0.7), &nodes), 0.0);
     assert_eq!(reciprocity(&facets(0.3, Dielectric::new(1.5)), &nodes), 0.0);
-    let metal = Conductor::new(Spectrum::<Index, 3>::flat(0.2), Spectrum::flat(3.0));
+    let metal = Conductor::new(Spectrum::<RefractiveIndex, 3>::flat(0.2), Spectrum::flat(3.0));
     assert_eq!(reciprocity(&facets(0.5, metal), &nodes), 0.0);
     let found = reciprocity(&OneWay, &nodes);
     assert!(found > 0.1, "{found}");
@@ -168,7 +168,7 @@ fn the_scattering_equation_has_the_cosine_once_and_pi_where_it_belongs() {
 #[test]
 fn spectra_scatter_as_their_numbers_do() {
     let eta = N_BK7.indices::<5, Nodes<400, 800>>().expect("no resonance");
-    let k = Spectrum::<Index, 5, Nodes<400, 800>>::from_bins([0.1, 1.0, 2.0, 3.0, 4.0]);
+    let k = Spectrum::<RefractiveIndex, 5, Nodes<400, 800>>::from_bins([0.1, 1.0, 2.0, 3.0, 4.0]);
     let (wo, wi) = (tilted(0.7), Direction::from_cosine(0.8, 0.45));
     let glass = facets(0.2, Dielectric::new(eta)).f(wo, wi);
     let metal = facets(0.2, Conductor::new(eta, k)).f(wo, wi);

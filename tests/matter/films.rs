@@ -8,7 +8,7 @@ use nanospectra::color::Xyz;
 use nanospectra::light::D65;
 use nanospectra::matter::{Layer, Medium, Shares, Stack, ThinFilm, stack_bins};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Bins, Factor, Fine, Interpolation, Nodes, Outside, Reflectance, Spectrum};
+use nanospectra::{Bins, Factor, Fine, Nodes, Reflectance, Spectrum};
 
 /// `2.38+0.21i`, in the golden's way of writing.
 fn medium(text: &str) -> Medium {
@@ -64,7 +64,7 @@ fn stacks_agree_with_the_golden() {
 
 /// XYZ under D65 at 1 nm, the golden's way: points at the nodes.
 fn xyz(reflectance: &Fine<Factor>) -> [f32; 3] {
-    let d65 = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let d65 = D65.fine();
     CIE_1931.under(&d65).with_white_y(100.0).sees(reflectance)
 }
 

@@ -12,8 +12,7 @@ use nanospectra::matter::{Donaldson, Dye, FluorescenceError, Phosphor};
 use nanospectra::observer::CIE_1931;
 use nanospectra::path::{Effects, Priced};
 use nanospectra::{
-    Bins, Curve, Factor, Fine, FineObserver, Grid, Light, Nodes, Observer, Outside, Power, Reflectance,
-    Spectrum,
+    Bins, Curve, Factor, Fine, FineObserver, Grid, Light, Nodes, Observer, Power, Reflectance, Spectrum,
 };
 use proptest::prelude::*;
 use std::array::from_fn;
@@ -111,7 +110,7 @@ fn vest_in_bins<const N: usize>(what: &'static str) {
         let without = model.lab(&values, &leaving(&values, false));
         let cost = de2000(without, truth);
         (least, most) = (least.min(cost), most.max(cost));
-        let light: Light<N> = fine.resample(Outside::Zero);
+        let light: Light<N> = fine.resample();
         let white = eye.sees(&light).map(f64::from);
         let got = lab(eye.sees(light.onto(&vest)).map(f64::from), white);
         check.value(id, de2000(got, truth), 0.0);
@@ -177,11 +176,11 @@ fn a_grid_that_ends_within_the_absorption_loses_what_is_beyond() {
     let truth = CIE_1931.sees(daylight.onto(&ultraviolet))[1];
     let seen = |y: f32| (y / truth - 1.0).abs();
     let narrow: Observer<3, 60, Power> = CIE_1931.fold(Curve::Spline);
-    let light: Light<60> = daylight.resample(Outside::Zero);
+    let light: Light<60> = daylight.resample();
     let error = seen(narrow.sees(light.onto(&ultraviolet.resample()))[1]);
     assert!((0.02..0.05).contains(&error), "{error}");
     let wide: Observer<3, 60, Power, Bins<360, 730>> = CIE_1931.fold(Curve::Spline);
-    let light: Light<60, Bins<360, 730>> = daylight.resample(Outside::Zero);
+    let light: Light<60, Bins<360, 730>> = daylight.resample();
     let error = seen(wide.sees(light.onto(&ultraviolet.resample()))[1]);
     assert!(error < 1e-3, "{error}");
 }
@@ -196,7 +195,7 @@ fn a_matrix_of_the_dye_differs_by_what_the_dye_emits_at_shorter_waves() {
     for id in LIGHTS {
         let (values, fine) = lamp(id);
         let white = model.xyz(&values);
-        let light: Light<31> = fine.resample(Outside::Zero);
+        let light: Light<31> = fine.resample();
         let one = lab(eye.sees(light.onto(&vest)).map(f64::from), white);
         let other = lab(eye.sees(light.onto(&matrix)).map(f64::from), white);
         worst = worst.max(de2000(one, other));
@@ -226,7 +225,7 @@ fn a_matrix_is_the_sum_over_all_pairs() {
 #[test]
 fn a_matrix_without_fluorescence_is_its_diagonal_to_the_bit() {
     let (_, fine) = lamp("FL2");
-    let light: Light<31> = fine.resample(Outside::Zero);
+    let light: Light<31> = fine.resample();
     let paper = spectral::<Factor, 31, Bins<380, 730>>(reflectance);
     let matrix: Donaldson<31, 496> = Donaldson::of_reflectance(&paper);
     assert_eq!(light.onto(&matrix).collected(), light.onto(&paper).collected());
@@ -404,7 +403,7 @@ fn a_glow_is_a_number_whatever_the_light_and_a_bad_time_is_none() {
 #[test]
 fn a_phosphor_at_rest_is_the_dye_and_a_lifetime_of_zero_too() {
     let (_, fine) = lamp("FL2");
-    let light: Light<31> = fine.resample(Outside::Zero);
+    let light: Light<31> = fine.resample();
     let vest: Dye<31> = fine_vest().resample();
     let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
     for (lifetime, time) in [(1e-3, 1.0), (0.0, 1.0), (0.0, 0.0), (1e30, f32::INFINITY)] {

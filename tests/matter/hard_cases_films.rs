@@ -13,7 +13,7 @@ use model::tables::{Observer as Table, source};
 use nanospectra::light::D65;
 use nanospectra::matter::{Absorber, Shares, ThinFilm};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Interpolation, Observer, Outside, Reflectance};
+use nanospectra::{Curve, Observer, Reflectance};
 
 #[test]
 fn thin_absorbers_keep_what_they_absorb() {
@@ -111,7 +111,7 @@ impl FinestEye {
 
 /// CIEDE2000 of a soap film in N bins against 0.001 nm: averaged, and read at the centers.
 fn differences<const N: usize>([truth, white]: [[f64; 3]; 2], d: f32) -> [f64; 2] {
-    let d65 = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let d65 = D65.fine();
     let eye: Observer<3, N> = CIE_1931.under(&d65).fold(Curve::Spline).with_white_y(100.0);
     let film = ThinFilm::new([1.0f32, 1.33, 1.0], d);
     let averaged: Reflectance<N> = film.reflectance(1.0);

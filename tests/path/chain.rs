@@ -11,23 +11,15 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::observer::Path;
 use nanospectra::path::{Effects, Plain, Price, Priced, Times, price_of};
 use nanospectra::{
-    Bins, Curve, Factor, Fine, FineObserver, Grid, Interpolation, Light, Observer, Outside, Power,
-    Reflectance, Spectrum,
+    Bins, Curve, Factor, Fine, FineObserver, Grid, Light, Observer, Power, Reflectance, Spectrum,
 };
 use proptest::prelude::*;
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Spline);
 
-fn fine<Q: nanospectra::Quantity, const N: usize, G: Grid>(
-    table: &Spectrum<Q, N, G>,
-    outside: Outside,
-) -> Fine<Q> {
-    table.interpolate(Interpolation::Linear, outside)
-}
-
 #[test]
 fn a_path_of_factors_is_their_product_to_the_bit() {
-    let sun: Light<31> = FL11.resample(Outside::Zero);
+    let sun: Light<31> = FL11.resample();
     let glass = Reflectance::<31>::at_centers(|nm| nm / 800.0);
     let paper = Reflectance::<31>::at_centers(|nm| 1.0 - nm / 900.0);
     let path = sun.through(&glass).onto(&paper);
@@ -41,8 +33,7 @@ fn a_path_of_factors_is_their_product_to_the_bit() {
 
 #[test]
 fn a_path_of_factors_is_for_an_eye_with_the_light_folded_in() {
-    static UNDER: Observer<3, 31> =
-        CIE_1931.under(&FL11.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Spline);
+    static UNDER: Observer<3, 31> = CIE_1931.under(&FL11.fine()).fold(Curve::Spline);
     let glass = Reflectance::<31>::at_centers(|nm| nm / 800.0);
     let paper = Reflectance::<31>::at_centers(|nm| 1.0 - nm / 900.0);
     assert_eq!(UNDER.sees(glass.onto(&paper)), UNDER.sees(&(glass * paper)));
@@ -87,17 +78,16 @@ fn a_matt_surface_forgets_how_light_was_polarized_and_glass_does_not() {
 fn rgb_is_this_far_from_the_spectrum() {
     fn errors<S: RgbSpace>() -> (f64, f64) {
         let eye = Observer::<3, 3, Power, RgbBands<S>>::standard();
-        let daylight: FineObserver<3, Factor> =
-            CIE_1931.under(&fine(&D65, Outside::Zero)).with_white_y(100.0);
+        let daylight: FineObserver<3, Factor> = CIE_1931.under(&D65.fine()).with_white_y(100.0);
         let (mut sum, mut worst, mut count) = (0.0, 0.0f64, 0);
         for lamp in [&FL1, &FL2, &FL3, &FL4, &FL5, &FL6, &FL7, &FL8, &FL9, &FL10, &FL11, &FL12] {
-            let lamp = fine(lamp, Outside::Zero);
+            let lamp = lamp.fine();
             let under = CIE_1931.under(&lamp).with_white_y(100.0);
             let white = under.sees(&Fine::flat(1.0));
             let light = Light::<3, RgbBands<S>>::from_rgb(Rgb::from_xyz(Xyz::from(white)));
             let white = white.map(f64::from);
             for sample in &CES {
-                let sample = fine(sample, Outside::Hold);
+                let sample = sample.fine();
                 let paint =
                     Reflectance::<3, RgbBands<S>>::from_rgb(Rgb::from_xyz(Xyz::from(daylight.sees(&sample))));
                 let got = lab(eye.sees(light.onto(&paint)).map(f64::from), white);

@@ -10,13 +10,13 @@ use nanospectra::math::{Fast, Portable};
 use nanospectra::matter::{Donaldson, Dye, Mirror, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, CIE_1964};
 use nanospectra::path::{Effects, Full, NeedsPolarization, Part, Price, Scene, price_of};
-use nanospectra::{Bins, Curve, Interpolation, Light, Observer, Outside, Power, Reflectance};
+use nanospectra::{Bins, Curve, Interpolation, Light, Observer, Power, Reflectance};
 use proptest::prelude::*;
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
 
 fn lamp<const N: usize>(name: &str) -> Light<N> {
-    light::named(name, Interpolation::Linear).expect("a CIE illuminant").resample(Outside::Zero)
+    light::named(name).expect("a CIE illuminant").resample()
 }
 
 /// Rises from 0 to 1 around `at`.
@@ -436,7 +436,7 @@ proptest! {
 
     #[test]
     fn folded_and_walked_scenes_see_the_same(kinds in prop::collection::vec(0usize..7, 0..8), out in 0usize..8) {
-        let (pool, sun) = (Pool::new(), FL11.interpolate(Interpolation::Linear, Outside::Zero));
+        let (pool, sun) = (Pool::new(), FL11.interpolate(Interpolation::Linear));
         static EYE: Observer<3, 31, Power> = CIE_1964.fold(Curve::Step);
         for out in [usize::MAX, out] {
             let scene: Scene<31, 8> = pool.scene(&kinds).leaving_out(out);

@@ -8,10 +8,10 @@ use nanospectra::observer::{ALPHA_OPIC, CIE_1931, CIE_1964, CIE_2006_LMS_2, CIE_
 
 /// The eye under a lamp, folded to 16 bins while compiling.
 const FOLDED: &str = "
-use nanospectra::{Curve, Interpolation, Observer, Outside, Reflectance, light::FL11, observer::CIE_1931};
+use nanospectra::{Curve, Observer, Reflectance, light::FL11, observer::CIE_1931};
 
 static EYE: Observer<3, 16> = CIE_1931
-    .under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))
+    .under(&FL11.fine())
     .fold(Curve::Spline)
     .with_white_y(100.0);
 
@@ -25,12 +25,12 @@ fn main() {
 
 /// The eye at 1 nm, for samples as they come.
 const FINE: &str = "
-use nanospectra::{Fine, Interpolation, Outside, Power, observer::CIE_1931};
+use nanospectra::{Fine, Interpolation, Power, observer::CIE_1931};
 
 fn main() {
     let power = std::env::args().count() as f32;
     let samples = [(400.0, power), (700.0, 2.0 * power)];
-    let light = Fine::<Power>::interpolated(&samples, Interpolation::Linear, Outside::Zero);
+    let light = Fine::<Power>::interpolated(&samples, Interpolation::Linear);
     println!(\"{:?}\", light.map(|light| std::hint::black_box(&CIE_1931).sees(&light)));
 }
 ";
@@ -86,10 +86,8 @@ fn only_the_tables_that_a_program_uses_are_in_its_image() {
     let ((folded, reflected), (fine, seen)) = (read("folded"), read("fine"));
 
     // The folded program has the weights that this test folds, and reports half the white.
-    let eye: nanospectra::Observer<3, 16> = CIE_1931
-        .under(&FL11.interpolate(nanospectra::Interpolation::Linear, nanospectra::Outside::Zero))
-        .fold(nanospectra::Curve::Spline)
-        .with_white_y(100.0);
+    let eye: nanospectra::Observer<3, 16> =
+        CIE_1931.under(&FL11.fine()).fold(nanospectra::Curve::Spline).with_white_y(100.0);
     for row in eye.weights() {
         assert!(contains(&folded, row), "the folded weights are missing");
         assert!(!contains(&fine, row), "folded weights in a program that has none");

@@ -63,9 +63,9 @@ const REFUSED: [(&str, &str, &[&str]); 34] = [
     ),
     (
         "resamples_counts_of_bins",
-        "use nanospectra::{Bins, Fine, Outside, PerBin};
+        "use nanospectra::{Bins, Fine, PerBin};
         fn main() {
-            println!(\"{:?}\", Fine::<PerBin>::flat(1.0).resample::<3, Bins<400, 700>>(Outside::Zero));
+            println!(\"{:?}\", Fine::<PerBin>::flat(1.0).resample::<3, Bins<400, 700>>());
         }",
         &["resample", "PerBin", "Quantity"],
     ),
@@ -196,9 +196,9 @@ const REFUSED: [(&str, &str, &[&str]); 34] = [
     ),
     (
         "samples_an_rgb",
-        "use nanospectra::{Light, Outside, color::RgbBands, color::Srgb};
+        "use nanospectra::{Light, color::RgbBands, color::Srgb};
         fn main() {
-            println!(\"{:?}\", Light::<3, RgbBands<Srgb>>::from_samples(&[(400.0, 1.0)], Outside::Zero));
+            println!(\"{:?}\", Light::<3, RgbBands<Srgb>>::from_samples(&[(400.0, 1.0)]));
         }",
         &["from_samples", "Srgb>: Grid`", "from_rgb"],
     ),

@@ -9,12 +9,8 @@ use nanospectra::radiometry::{
     PointSource, Radiance, Radiant, RectangleSource, Scotopic, SphereSource, SurfaceRadiance, Talbot,
     illuminance, scotopic_illuminance,
 };
-use nanospectra::{Bins, Curve, Fine, Interpolation, Light, Observer, Outside, Power, Reflectance};
+use nanospectra::{Bins, Curve, Fine, Light, Observer, Power, Reflectance};
 use std::f64::consts::PI;
-
-fn fine(light: &Light<81, nanospectra::Nodes<380, 780>>) -> Fine<Power> {
-    light.interpolate(Interpolation::Linear, Outside::Zero)
-}
 
 #[test]
 fn lumens_are_watts_by_683_and_the_eye() {
@@ -33,7 +29,7 @@ fn lumens_are_watts_by_683_and_the_eye() {
     assert_eq!(Flux::new(blue_green).scotopic(), Flux::new(Scotopic(1700.0)));
 
     // The same numbers as the functions for bare spectra.
-    for lamp in [fine(&FL11), D65.interpolate(Interpolation::Linear, Outside::Zero)] {
+    for lamp in [FL11.fine(), D65.fine()] {
         let e = Irradiance::new(lamp);
         assert_eq!(e.luminous().value().0, illuminance(&lamp));
         assert_eq!(e.scotopic().value().0, scotopic_illuminance(&lamp));

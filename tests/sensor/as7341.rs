@@ -10,7 +10,7 @@ use nanospectra::light;
 use nanospectra::matter::CES;
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::sensor::{ALPHA, BasicCounts, Calibration, Exposure, Fit, Reconstruction, nominal};
-use nanospectra::{Curve, Fine, Interpolation, Nodes, Observer, Outside, Power};
+use nanospectra::{Curve, Fine, Nodes, Observer, Power};
 
 /// The chip of the simulation: the converter ends at 18 000 counts after 50 ms.
 const ATIME: u8 = 29;
@@ -57,7 +57,7 @@ fn lamps() -> Vec<(String, Fine<Power>)> {
 }
 
 fn lamp(name: &str) -> Fine<Power> {
-    let lamp = light::named(name, Interpolation::Linear).unwrap_or_else(|| panic!("no lamp {name}"));
+    let lamp = light::named(name).unwrap_or_else(|| panic!("no lamp {name}"));
     let [_, y, _] = CIE_1931.sees(&lamp);
     lamp * (LUX / KM / y)
 }
@@ -72,7 +72,7 @@ fn calibrated(mut report: impl FnMut(&Fine<Power>) -> BasicCounts<8>) -> Fit<8> 
     for name in ["FL2", "FL11", "LED-B3"] {
         let lamp = lamp(name);
         for sample in &CES {
-            let patch = lamp * sample.interpolate(Interpolation::Linear, Outside::Hold);
+            let patch = lamp * sample.fine();
             fit.add_relative(&report(&patch), xyz(&patch));
         }
     }
@@ -210,7 +210,7 @@ fn an_as7341_measures_lux_and_cct_of_every_lamp_within_the_bar() {
 fn eight_channels_to_xyz_are_a_tenth_of_a_difference_off() {
     // Row 51: every second sample under D65 to calibrate with, the others to judge.
     let d65 = lamp("D65");
-    let seen = |sample: usize| d65 * CES[sample].interpolate(Interpolation::Linear, Outside::Hold);
+    let seen = |sample: usize| d65 * CES[sample].fine();
     let mut fit = Fit::<8>::new();
     (0..99).step_by(2).map(seen).for_each(|patch| fit.add_relative(&exactly(&patch), xyz(&patch)));
     let matrix = fit.solve().expect("50 patches");

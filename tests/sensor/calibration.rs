@@ -5,10 +5,10 @@ use model::allowed::check;
 use model::check::Check;
 use model::noise::Noise;
 use model::sensor::{self, wide};
+use nanospectra::light;
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, nominal};
-use nanospectra::{Interpolation, Outside, light};
 use proptest::prelude::*;
 
 /// Counts, what they should come to, and the weight.
@@ -18,9 +18,9 @@ type Patch<const C: usize, const D: usize> = ([f32; C], [f32; D], f32);
 fn patches(lamps: &[&str]) -> Vec<Patch<8, 3>> {
     let mut patches = Vec::new();
     for lamp in lamps {
-        let lamp = light::named(lamp, Interpolation::Linear).expect("a lamp");
+        let lamp = light::named(lamp).expect("a lamp");
         for sample in &CES {
-            let seen = lamp * sample.interpolate(Interpolation::Linear, Outside::Hold);
+            let seen = lamp * sample.fine();
             let xyz = CIE_1931.sees(&seen);
             patches.push((nominal::AS7341.sees(&seen), xyz, 1.0 / xyz[1]));
         }

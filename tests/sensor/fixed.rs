@@ -161,7 +161,7 @@ fn temperature_is_that_of_the_floats_from_an_eighth_of_full_scale() {
         let (kelvin, size) = (1e6 / (5.0 + 900.0 * next()), 8000.0 + 55_000.0 * next());
         // A black body through the nominal channels, disturbed by a tenth.
         let shape = nominal::AS7341.sees(
-            &nanospectra::Fine::interpolated(
+            &nanospectra::Fine::interpolated_outside(
                 &[360.0, 450.0, 550.0, 650.0, 750.0, 830.0].map(|nm: f32| {
                     (
                         nm,

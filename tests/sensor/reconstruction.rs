@@ -50,7 +50,7 @@ static LEARNT: Reconstruction<8, 31, Grid> =
     };
 
 const fn on_grid(lamp: &Spectrum<Power, 81, Nodes<380, 780>>) -> Light<31, Grid> {
-    lamp.interpolate(Interpolation::Linear, Outside::Hold)
+    lamp.interpolate_outside(Interpolation::Linear, Outside::Hold)
 }
 
 /// Entries relative to the largest one.
@@ -94,7 +94,7 @@ fn a_small_alpha_gains_nothing_and_amplifies_noise() {
         let matrix = Reconstruction::smooth(&AS7341, 0.95, alpha).expect("channels that differ");
         let (mut squares, mut random) = (0.0f64, Noise(9));
         for sample in &CES {
-            let sample = Light::<31, Grid>::from_bins(*sample.resample::<31, Grid>(Outside::Hold).values());
+            let sample = Light::<31, Grid>::from_bins(*sample.resample::<31, Grid>().values());
             let mut counts = AS7341.sees(&sample);
             let mean = f64::from(counts.iter().sum::<f32>()) / 8.0;
             counts.iter_mut().for_each(|count| *count += (noise * mean * random.normal()) as f32);

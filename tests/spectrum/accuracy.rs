@@ -11,8 +11,7 @@ use model::lab::lab;
 use model::tables::{Observer as Eye, samples, source};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{
-    Bins, Curve, Factor, Fine, FineObserver, Grid, Interpolation, Light, Observer, Outside, Power,
-    Reflectance,
+    Bins, Curve, Factor, Fine, FineObserver, Grid, Interpolation, Light, Observer, Power, Reflectance,
 };
 
 const HALOPHOSPHATE: &[&str] = &[
@@ -52,7 +51,7 @@ impl Study {
             let source = source(id);
             let fine = FineEye::new(Eye::Cie1931, &Line::new(source.points(), Beyond::Zero));
             let light: Fine<Power> =
-                Fine::interpolated(&pairs(&source), Interpolation::Linear, Outside::Zero).expect("a lamp");
+                Fine::interpolated(&pairs(&source), Interpolation::Linear).expect("a lamp");
             Lamp {
                 samples: pairs(&source),
                 eye: CIE_1931.under(&light).with_white_y(100.0),
@@ -74,7 +73,7 @@ impl Study {
     /// CIEDE2000 of every sample under every lamp of each class, sorted.
     fn differences<const N: usize, G: Grid>(&self, curve: Curve) -> Vec<(&'static str, Vec<f64>)> {
         let bins: Vec<Reflectance<N, G>> =
-            self.ces.iter().map(|s| Reflectance::from_samples(s, Outside::Hold).expect("a sample")).collect();
+            self.ces.iter().map(|s| Reflectance::from_samples(s).expect("a sample")).collect();
         self.each_class(|lamp| {
             let eye: Observer<3, N, Factor, G> = lamp.eye.fold(curve);
             bins.iter().map(|r| eye.sees(r)).collect()
@@ -84,10 +83,10 @@ impl Study {
     /// The same without a fold: averages of the light times averages of the sample times averages of the eye.
     fn plain_differences<const N: usize, G: Grid>(&self) -> Vec<(&'static str, Vec<f64>)> {
         let bins: Vec<Reflectance<N, G>> =
-            self.ces.iter().map(|s| Reflectance::from_samples(s, Outside::Hold).expect("a sample")).collect();
+            self.ces.iter().map(|s| Reflectance::from_samples(s).expect("a sample")).collect();
         let eye: Observer<3, N, Power, G> = CIE_1931.fold(Curve::Step);
         self.each_class(|lamp| {
-            let light = Light::<N, G>::from_samples(&lamp.samples, Outside::Zero).expect("a lamp");
+            let light = Light::<N, G>::from_samples(&lamp.samples).expect("a lamp");
             let k = 100.0 / eye.sees(&light)[1];
             bins.iter().map(|r| eye.sees(&(light * *r)).map(|v| k * v)).collect()
         })
@@ -212,8 +211,7 @@ fn the_light_itself_has_the_same_color_at_every_number_of_bins() {
     let mut worst = 0.0_f64;
     for id in ["A", "D65", "FL2", "FL11", "HP1", "HP4", "LED-B3", "LED-RGB1", "NIST_05"] {
         let source = source(id);
-        let light: Fine<Power> =
-            Fine::interpolated(&pairs(&source), Interpolation::Linear, Outside::Zero).expect("a lamp");
+        let light: Fine<Power> = Fine::interpolated(&pairs(&source), Interpolation::Linear).expect("a lamp");
         let (truth, _) =
             model::tristimulus::xyz_of_light(&source, Eye::Cie1931, model::tristimulus::Method::LinearZero);
         let eye = CIE_1931.under(&light).with_white_y(100.0);

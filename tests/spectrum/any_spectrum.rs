@@ -79,7 +79,8 @@ fn averages_are_exact<const N: usize, G: Grid>(samples: &[(f32, f32)]) -> Result
     let peak = samples.iter().map(|s| s.1).fold(0.0, f32::max);
     for (outside, model) in [(Outside::Zero, ModelOutside::Zero), (Outside::Hold, ModelOutside::Hold)] {
         let lines = Lines::new(as_f64(samples), model);
-        let spectrum = Spectrum::<Power, N, G>::from_samples(samples, outside).expect("increasing samples");
+        let spectrum =
+            Spectrum::<Power, N, G>::from_samples_outside(samples, outside).expect("increasing samples");
         for (k, got) in spectrum.values().iter().enumerate() {
             let edge = |k: usize| f64::from(Spectrum::<Power, N, G>::edge_nm(k));
             // Beyond the samples' ends zero begins at once: the model has the bin's exact average.
@@ -93,13 +94,13 @@ fn averages_are_exact<const N: usize, G: Grid>(samples: &[(f32, f32)]) -> Result
 fn power_is_conserved<const N: usize, G: Grid, const M: usize, H: Grid>(
     light: &Spectrum<Power, N, G>,
 ) -> Result<(), TestCaseError> {
-    let there: Spectrum<Power, M, H> = light.resample(Outside::Zero);
+    let there: Spectrum<Power, M, H> = light.resample();
     near_f64(power_of(&there), power_of(light), 5e-7)?;
     // Also of a single bin, where no errors cancel.
     let mut one = Spectrum::<Power, N, G>::flat(0.0);
     let k = light.values()[0].to_bits() as usize % N;
     one.values_mut()[k] = 1.0;
-    let there: Spectrum<Power, M, H> = one.resample(Outside::Zero);
+    let there: Spectrum<Power, M, H> = one.resample();
     near_f64(power_of(&there), power_of(&one), 2e-6)
 }
 
@@ -138,7 +139,7 @@ proptest! {
     fn all_the_power_of_the_samples_is_on_a_grid_that_holds_them(samples in samples()) {
         let samples: Vec<(f32, f32)> = samples.into_iter().filter(|(nm, _)| *nm < 900.0).collect();
         let (first, last) = (samples[0].0, samples[samples.len() - 1].0);
-        let light = Light::<61, Bins<300, 900>>::from_samples(&samples, Outside::Zero).expect("increasing");
+        let light = Light::<61, Bins<300, 900>>::from_samples(&samples).expect("increasing");
         let lines = Lines::new(as_f64(&samples), ModelOutside::Zero);
         let exact = lines.mean(first.into(), last.into()) * f64::from(last - first);
         // A bin is good to 2e-6 of the largest sample.
@@ -185,15 +186,15 @@ proptest! {
             values.iter().enumerate().map(|(k, v)| (360.0 + 47.0 * k as f32, 0.2 + v)).collect()
         };
         let by = Interpolation::Sprague;
-        let light = Fine::<Power>::interpolated(&knots(lamp.values()), by, Outside::Hold).expect("regular");
-        let paint = Fine::<Factor>::interpolated(&knots(paint.values()), by, Outside::Hold).expect("regular");
+        let light = Fine::<Power>::interpolated_outside(&knots(lamp.values()), by, Outside::Hold).expect("regular");
+        let paint = Fine::<Factor>::interpolated(&knots(paint.values()), by).expect("regular");
         let eye = CIE_1931.under(&light);
         prop_assume!(eye.row_sums()[1] > 1.0);
         let eye = eye.with_white_y(100.0);
         let truth = Xyz::from(eye.sees(&paint));
         fn off<const N: usize>(eye: &FineObserver<3, Factor>, paint: &Fine<Factor>, truth: Xyz) -> f32 {
             let folded: Observer<3, N, Factor, Nodes<360, 830>> = eye.fold(Curve::Parabola);
-            let seen = Xyz::from(folded.sees(&paint.resample(Outside::Hold)));
+            let seen = Xyz::from(folded.sees(&paint.resample()));
             (seen.x - truth.x).abs().max((seen.y - truth.y).abs()).max((seen.z - truth.z).abs())
         }
         let errors = [off::<11>(&eye, &paint, truth), off::<48>(&eye, &paint, truth), off::<471>(&eye, &paint, truth)];
@@ -293,8 +294,8 @@ proptest! {
     ) {
         let mut lamp = light * paint + light - light * 2.0;
         let _ = (lamp.add_line(nm, power), lamp.power(), lamp.peak());
-        let far: Spectrum<Power, 7, Nodes<700, 900>> = lamp.resample(Outside::Hold);
-        let fine: Fine<Power> = lamp.interpolate(Interpolation::Sprague, Outside::Zero);
+        let far: Spectrum<Power, 7, Nodes<700, 900>> = lamp.resample_outside(Outside::Hold);
+        let fine: Fine<Power> = lamp.interpolate(Interpolation::Sprague);
         let eye: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
         let _ = (far.within(nm, power), eye.under(&light).with_white_y(100.0).sees(&paint));
         for xyz in [eye.sees(&lamp), CIE_1931.sees(&fine)].map(Xyz::from) {
@@ -312,10 +313,10 @@ proptest! {
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         for samples in [samples, sorted] {
             for outside in [Outside::Zero, Outside::Hold] {
-                let averages = Light::<31>::from_samples(&samples, outside);
-                let points = Fine::<Power>::interpolated(&samples, Interpolation::Linear, outside);
+                let averages = Light::<31>::from_samples_outside(&samples, outside);
+                let points = Fine::<Power>::interpolated_outside(&samples, Interpolation::Linear, outside);
                 prop_assert_eq!(averages.is_ok(), points.is_ok());
-                let _ = Fine::<Power>::interpolated(&samples, Interpolation::Sprague, outside);
+                let _ = Fine::<Power>::interpolated_outside(&samples, Interpolation::Sprague, outside);
                 let good = samples.len() >= 2
                     && samples.windows(2).all(|pair| pair[0].0 < pair[1].0)
                     && samples.iter().all(|(nm, value)| nm.is_finite() && value.is_finite());
@@ -328,7 +329,7 @@ proptest! {
 #[test]
 fn a_lamp_seen_through_glass_is_the_folded_glass_under_the_lamp() {
     // One chain with real tables, at compile time and at run time.
-    static LAMP: Fine<Power> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
+    static LAMP: Fine<Power> = FL11.fine();
     static GLASS: Fine<Factor> = nanospectra::matter::TCS[3];
     static EYE: Observer<3, 31, Factor> = CIE_1931.through(&GLASS).under(&LAMP).fold(Curve::Spline);
     let walked = CIE_1931.sees(&(LAMP * GLASS));

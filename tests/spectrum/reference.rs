@@ -26,7 +26,7 @@ fn pairs(samples: &Samples) -> Vec<(f32, f32)> {
 }
 
 fn fine(samples: &Samples, by: Interpolation, outside: Outside) -> Fine<Power> {
-    Fine::interpolated(&pairs(samples), by, outside).expect("a golden source is a good spectrum")
+    Fine::interpolated_outside(&pairs(samples), by, outside).expect("a golden source is a good spectrum")
 }
 
 fn sprague(id: &str) -> Fine<Power> {
@@ -89,7 +89,7 @@ fn values_between_samples_are_the_published_ones() {
 
 /// The value at a wavelength on the grid of quarter nanometers over 360..=830.
 fn quarter_nanometer(nm: f64, samples: &[(f32, f32)], by: Interpolation) -> f32 {
-    let spectrum = Spectrum::<Power, 1881, Nodes<360, 830>>::interpolated(samples, by, Outside::Zero)
+    let spectrum = Spectrum::<Power, 1881, Nodes<360, 830>>::interpolated(samples, by)
         .expect("a golden series is a good spectrum");
     spectrum.values()[((nm - 360.0) * 4.0) as usize]
 }
@@ -253,7 +253,7 @@ fn surfaces_under_lights_have_their_xyz() {
             _ => pairs(&reflectance(row.text("sample"))),
         };
         let by = Interpolation::Sprague;
-        let surface: Fine<Factor> = Fine::interpolated(&samples, by, Outside::Hold).expect("a good sample");
+        let surface: Fine<Factor> = Fine::interpolated(&samples, by).expect("a good sample");
         let xyz = eye.under(&light).with_white_y(100.0).sees(&surface);
         check.cells(row, ["X", "Y", "Z"], xyz.map(f64::from));
         rows += 1;

@@ -2,10 +2,11 @@
 //! constant stays that constant at every number of bands.
 
 use nanospectra::color::Xyz;
+use nanospectra::light::{self, FL11};
 use nanospectra::observer::{CIE_1931, V_PHOTOPIC};
 use nanospectra::{
-    Bins, Curve, Factor, Fine, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, Reflectance,
-    SamplesError, Spectrum,
+    Bins, Curve, Factor, Fine, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, Quantity,
+    Reflectance, RefractiveIndex, SamplesError, Spectrum,
 };
 
 /// Calls a function for every number of bands from 1 to 120; in a debug build, where each takes its time to compile,
@@ -45,29 +46,25 @@ fn the_average_of_a_constant_is_that_constant_at_every_number_of_bands() {
             let all = [value; N];
             let flat = Light::<N>::flat(value);
             assert_eq!(flat.values(), &all, "flat, N = {N}");
-            let many = Light::<N>::from_samples(&irregular(value), Outside::Zero);
+            let many = Light::<N>::from_samples(&irregular(value));
             assert_eq!(many.as_ref().map(Spectrum::values), Ok(&all), "samples, N = {N}");
             // Two samples in the middle, held to both sides.
-            let held = Light::<N>::from_samples(&[(501.7, value), (502.9, value)], Outside::Hold);
+            let held = Light::<N>::from_samples_outside(&[(501.7, value), (502.9, value)], Outside::Hold);
             assert_eq!(held.as_ref().map(Spectrum::values), Ok(&all), "held samples, N = {N}");
-            let points = Light::<N>::interpolated(&irregular(value), Interpolation::Linear, Outside::Zero);
+            let points = Light::<N>::interpolated(&irregular(value), Interpolation::Linear);
             assert_eq!(points.as_ref().map(Spectrum::values), Ok(&all), "points, N = {N}");
             for by in [Interpolation::Linear, Interpolation::Sprague] {
-                let spread = flat.interpolate::<120, Bins<300, 900>>(by, Outside::Hold);
+                let spread = flat.interpolate_outside::<120, Bins<300, 900>>(by, Outside::Hold);
                 assert_eq!(spread.values(), &[value; 120], "interpolated, {by:?}, N = {N}");
             }
+            assert_eq!(flat.resample::<31, Bins<400, 700>>().values(), &[value; 31], "from N = {N}");
             assert_eq!(
-                flat.resample::<31, Bins<400, 700>>(Outside::Zero).values(),
-                &[value; 31],
-                "from N = {N}"
-            );
-            assert_eq!(
-                flat.resample::<90, Bins<300, 999>>(Outside::Hold).values(),
+                flat.resample_outside::<90, Bins<300, 999>>(Outside::Hold).values(),
                 &[value; 90],
                 "from N = {N}"
             );
             let wide = Light::<37, Nodes<360, 830>>::flat(value);
-            assert_eq!(wide.resample::<N, Bins<380, 730>>(Outside::Zero).values(), &all, "to N = {N}");
+            assert_eq!(wide.resample::<N, Bins<380, 730>>().values(), &all, "to N = {N}");
         }
     }
     for_every_n!(bands);
@@ -83,17 +80,67 @@ fn resampling_to_the_same_grid_gives_the_same_bits_at_every_number_of_bands() {
     fn bands<const N: usize>() {
         for outside in [Outside::Zero, Outside::Hold] {
             let bins = uneven::<Power, N, Bins<380, 730>>();
-            assert_eq!(bins.resample::<N, Bins<380, 730>>(outside), bins, "N = {N}");
+            assert_eq!(bins.resample_outside::<N, Bins<380, 730>>(outside), bins, "N = {N}");
             let bins = uneven::<Factor, N, Bins<317, 881>>();
-            assert_eq!(bins.resample::<N, Bins<317, 881>>(outside), bins, "N = {N}");
+            assert_eq!(bins.resample_outside::<N, Bins<317, 881>>(outside), bins, "N = {N}");
         }
     }
     for_every_n!(bands);
     let nodes = uneven::<Power, 81, Nodes<380, 780>>();
-    assert_eq!(nodes.resample::<81, Nodes<380, 780>>(Outside::Zero), nodes);
+    assert_eq!(nodes.resample::<81, Nodes<380, 780>>(), nodes);
     for by in [Interpolation::Linear, Interpolation::Sprague] {
-        assert_eq!(nodes.interpolate::<81, Nodes<380, 780>>(by, Outside::Zero), nodes, "{by:?}");
+        assert_eq!(nodes.interpolate::<81, Nodes<380, 780>>(by), nodes, "{by:?}");
     }
+}
+
+#[test]
+fn what_lies_outside_is_the_choice_of_the_quantity() {
+    /// Every short form onto a wider grid, beside the long one.
+    fn compare<Q: Quantity>(outside: Outside) {
+        assert_eq!(Q::OUTSIDE, outside);
+        type Wide = Bins<300, 900>;
+        let spectrum = uneven::<Q, 71, Nodes<380, 730>>();
+        let samples: Vec<(f32, f32)> = spectrum.iter().collect();
+        let same = |short: &[f32], long: &[f32]| {
+            let bits = |values: &[f32]| values.iter().map(|value| value.to_bits()).collect::<Vec<u32>>();
+            assert_eq!(bits(short), bits(long));
+            // Both ends lie far outside the data.
+            let ends = [short.first(), short.last()];
+            let expected = match outside {
+                Outside::Zero => [Some(&0.0); 2],
+                Outside::Hold => [spectrum.values().first(), spectrum.values().last()],
+            };
+            assert_eq!(ends, expected);
+        };
+        let fine = spectrum.interpolate_outside(Interpolation::Linear, outside);
+        same(spectrum.fine().values(), Fine::<Q>::values(&fine));
+        same(
+            spectrum.resample::<60, Wide>().values(),
+            spectrum.resample_outside::<60, Wide>(outside).values(),
+        );
+        let wide = |spectrum: Result<Spectrum<Q, 60, Wide>, SamplesError>| spectrum.expect("good samples");
+        same(
+            wide(Spectrum::from_samples(&samples)).values(),
+            wide(Spectrum::from_samples_outside(&samples, outside)).values(),
+        );
+        for by in [Interpolation::Linear, Interpolation::Sprague] {
+            same(
+                spectrum.interpolate::<60, Wide>(by).values(),
+                spectrum.interpolate_outside::<60, Wide>(by, outside).values(),
+            );
+            same(
+                wide(Spectrum::interpolated(&samples, by)).values(),
+                wide(Spectrum::interpolated_outside(&samples, by, outside)).values(),
+            );
+        }
+    }
+    compare::<Power>(Outside::Zero);
+    compare::<Factor>(Outside::Hold);
+    compare::<RefractiveIndex>(Outside::Hold);
+    let named = light::named("FL11").expect("a CIE illuminant");
+    assert_eq!(named, FL11.interpolate_outside(Interpolation::Linear, Outside::Zero));
+    let smooth = light::interpolated("FL11", Interpolation::Sprague).expect("a CIE illuminant");
+    assert_eq!(smooth, FL11.interpolate_outside(Interpolation::Sprague, Outside::Zero));
 }
 
 #[test]
@@ -116,9 +163,9 @@ fn one_two_and_three_bands_are_spectra_too() {
     let samples = [(380.0, 0.0), (730.0, 1.0)];
     let light = |outside| {
         (
-            Light::<1>::from_samples(&samples, outside),
-            Light::<2>::from_samples(&samples, outside),
-            Light::<3>::from_samples(&samples, outside),
+            Light::<1>::from_samples_outside(&samples, outside),
+            Light::<2>::from_samples_outside(&samples, outside),
+            Light::<3>::from_samples_outside(&samples, outside),
         )
     };
     let (one, two, three) = light(Outside::Zero);
@@ -151,15 +198,14 @@ fn samples_that_are_no_spectrum_are_refused_and_never_sorted() {
         (&[(700.0, 1.0), (600.0, 1.0), (f32::NAN, 1.0)], NotIncreasing { index: 1 }),
     ];
     for (samples, error) in cases {
-        assert_eq!(Light::<16>::from_samples(samples, Outside::Zero), Err(error), "{samples:?}");
+        assert_eq!(Light::<16>::from_samples(samples), Err(error), "{samples:?}");
         for by in [Interpolation::Linear, Interpolation::Sprague] {
-            let fine = Fine::<Power>::interpolated(samples, by, Outside::Zero);
+            let fine = Fine::<Power>::interpolated(samples, by);
             assert_eq!(fine, Err(error), "{samples:?}, {by:?}");
         }
     }
-    let sprague = |samples: &[(f32, f32)]| {
-        Fine::<Power>::interpolated(samples, Interpolation::Sprague, Outside::Zero).map(|_| ())
-    };
+    let sprague =
+        |samples: &[(f32, f32)]| Fine::<Power>::interpolated(samples, Interpolation::Sprague).map(|_| ());
     let regular: Vec<(f32, f32)> = (0..7).map(|k| (400.0 + 50.0 * k as f32, 1.0)).collect();
     assert_eq!(sprague(&regular), Ok(()));
     assert_eq!(sprague(&regular[..5]), Err(TooFew { needed: 6 }));
@@ -178,24 +224,24 @@ fn beyond_the_samples_lights_are_dark_and_surfaces_go_on() {
     for by in [Interpolation::Linear, Interpolation::Sprague] {
         let samples: Vec<(f32, f32)> =
             (0..=10).map(|k| (500.0 + 10.0 * k as f32, 0.4 + 0.04 * k as f32)).collect();
-        let light = Fine::<Power>::interpolated(&samples, by, Outside::Zero).expect("good samples");
-        let paint = Fine::<Factor>::interpolated(&samples, by, Outside::Hold).expect("good samples");
+        let light = Fine::<Power>::interpolated(&samples, by).expect("good samples");
+        let paint = Fine::<Factor>::interpolated(&samples, by).expect("good samples");
         let at = |nm: usize| (light.values()[nm - 360], paint.values()[nm - 360]);
         let end = samples[10].1;
         assert_eq!((at(360), at(499)), ((0.0, 0.4), (0.0, 0.4)), "{by:?}");
         assert_eq!((at(500), at(600)), ((0.4, 0.4), (end, end)), "the ends are inside, {by:?}");
         assert_eq!((at(601), at(830)), ((0.0, end), (0.0, end)), "{by:?}");
     }
-    let light = Light::<35>::from_samples(&samples, Outside::Zero).expect("good samples");
-    let paint = Reflectance::<35>::from_samples(&samples, Outside::Hold).expect("good samples");
+    let light = Light::<35>::from_samples(&samples).expect("good samples");
+    let paint = Reflectance::<35>::from_samples(&samples).expect("good samples");
     assert_eq!((light.values()[11], light.values()[22]), (0.0, 0.0));
     assert_eq!((paint.values()[11], paint.values()[22]), (0.4, 0.8));
     assert!((light.power() - 60.0).abs() < 1e-4);
     // The same rule from grid to grid, also for a grid that is altogether elsewhere.
-    let infrared = light.resample::<4, Bins<800, 900>>(Outside::Zero);
+    let infrared = light.resample::<4, Bins<800, 900>>();
     assert_eq!(infrared.values(), &[0.0; 4]);
-    assert_eq!(paint.resample::<4, Bins<800, 900>>(Outside::Hold).values(), &[0.8; 4]);
-    assert_eq!(paint.resample::<4, Bins<300, 340>>(Outside::Hold).values(), &[0.4; 4]);
+    assert_eq!(paint.resample::<4, Bins<800, 900>>().values(), &[0.8; 4]);
+    assert_eq!(paint.resample::<4, Bins<300, 340>>().values(), &[0.4; 4]);
 }
 
 #[test]
@@ -265,12 +311,12 @@ fn nan_in_is_nan_out_and_stays_where_it_is() {
     assert!(xyz.uv1960().is_some_and(|p| p.u.is_nan()) && xyz.uv1976().is_some_and(|p| p.v.is_nan()));
     // 500..510 nm is bad, and nothing else becomes so.
     let bad = |spectrum: &[f32]| spectrum.iter().filter(|v| v.is_nan()).count();
-    assert_eq!(bad(light.resample::<35, Bins<380, 730>>(Outside::Zero).values()), 1);
-    assert_eq!(bad(light.resample::<70, Bins<380, 730>>(Outside::Zero).values()), 2);
-    assert_eq!(bad(light.resample::<7, Bins<380, 730>>(Outside::Zero).values()), 1);
-    assert_eq!(bad(light.resample::<3, Bins<600, 700>>(Outside::Zero).values()), 0);
+    assert_eq!(bad(light.resample::<35, Bins<380, 730>>().values()), 1);
+    assert_eq!(bad(light.resample::<70, Bins<380, 730>>().values()), 2);
+    assert_eq!(bad(light.resample::<7, Bins<380, 730>>().values()), 1);
+    assert_eq!(bad(light.resample::<3, Bins<600, 700>>().values()), 0);
     // Straight lines: between the neighbors at 495 and 515 nm and no further.
-    let points = light.interpolate::<351, Nodes<380, 730>>(Interpolation::Linear, Outside::Hold);
+    let points = light.interpolate_outside::<351, Nodes<380, 730>>(Interpolation::Linear, Outside::Hold);
     assert_eq!(bad(points.values()), 19);
     assert!((light + uneven()).values()[12].is_nan() && (light * 0.0).values()[12].is_nan());
 }

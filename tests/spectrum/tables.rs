@@ -11,7 +11,7 @@ use nanospectra::observer::{
     ALPHA_OPIC, CIE_1931, CIE_1964, CIE_2006_LMS_2, CIE_2006_LMS_10, CIE_2015_2, CIE_2015_10, V_PHOTOPIC,
     V_SCOTOPIC,
 };
-use nanospectra::{Fine, Grid, Interpolation, Nodes, Outside, Power, Spectrum};
+use nanospectra::{Fine, Grid, Interpolation, Nodes, Power, Spectrum};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -81,7 +81,7 @@ fn lamp(name: &str) -> &'static Entry {
 
 /// CIE 15's own method for these numbers: a sum over 380, 385, .. 780 nm.
 fn xy_at_5nm<const N: usize, G: Grid>(light: &Spectrum<Power, N, G>) -> Xy {
-    let nodes: Lamp = light.interpolate(Interpolation::Linear, Outside::Zero);
+    let nodes: Lamp = light.interpolate(Interpolation::Linear);
     let sums = CIE_1931.weights().map(|row| {
         let every_fifth = row.iter().skip(20).step_by(5);
         every_fifth.zip(nodes.values()).map(|(w, s)| f64::from(*w) * f64::from(*s)).sum::<f64>()
@@ -91,11 +91,7 @@ fn xy_at_5nm<const N: usize, G: Grid>(light: &Spectrum<Power, N, G>) -> Xy {
 
 /// The sum over 360, 361, .. 830 nm.
 fn xyz_at_1nm<const N: usize, G: Grid>(light: &Spectrum<Power, N, G>) -> Xyz {
-    Xyz::from(CIE_1931.sees(&fine(light)))
-}
-
-fn fine<const N: usize, G: Grid>(light: &Spectrum<Power, N, G>) -> Fine<Power> {
-    light.interpolate(Interpolation::Linear, Outside::Zero)
+    Xyz::from(CIE_1931.sees(&light.fine()))
 }
 
 fn fnv1a(bytes: &[u8]) -> u64 {
@@ -217,12 +213,12 @@ fn standard_illuminants_have_the_chromaticity_that_cie_15_prints() {
     let (mut xy, mut at_1nm) =
         (check("xy of illuminants against CIE 15, 5 nm sums"), check("xy of illuminants, 1 nm sums"));
     let lights = [
-        ("A", fine(&A), 0.44758, 0.40745),
-        ("C", fine(&C), 0.31006, 0.31616),
-        ("D50", fine(&D50), 0.34567, 0.35851),
-        ("D55", fine(&D55), 0.33243, 0.34744),
-        ("D65", fine(&D65), 0.31272, 0.32903),
-        ("D75", fine(&D75), 0.29903, 0.31488),
+        ("A", A.fine(), 0.44758, 0.40745),
+        ("C", C.fine(), 0.31006, 0.31616),
+        ("D50", D50.fine(), 0.34567, 0.35851),
+        ("D55", D55.fine(), 0.33243, 0.34744),
+        ("D65", D65.fine(), 0.31272, 0.32903),
+        ("D75", D75.fine(), 0.29903, 0.31488),
     ];
     for (name, light, x, y) in &lights {
         let found = xy_at_5nm(light);
@@ -252,7 +248,7 @@ fn lamps_have_the_cct_and_ra_that_cie_15_prints() {
         let (found, _) = xy_at_5nm(table).uv1960().cct().near().expect("a white lamp");
         cct.value(name, found.into(), (*kelvin).into());
         if let Some(index) = index {
-            let found = cri(&fine(*table)).expect("a white lamp").ra;
+            let found = cri(&table.fine()).expect("a white lamp").ra;
             ra.value(name, found.into(), (*index).into());
             with_ra += 1;
         }
@@ -279,15 +275,15 @@ fn the_1nm_tables_are_the_lamps_of_their_5nm_tables() {
 fn no_two_tables_are_copies_of_each_other() {
     let mut all: Vec<(String, Fine<Power>)> = Vec::new();
     for Entry(name, table, other, ..) in &LAMPS {
-        all.push((name.to_string(), fine(*table)));
+        all.push((name.to_string(), table.fine()));
         if let Some(other) = other {
-            all.push((format!("{name} 1 nm"), fine(*other)));
+            all.push((format!("{name} 1 nm"), other.fine()));
         }
     }
     let others =
-        [("A", fine(&A)), ("C", fine(&C)), ("D50", fine(&D50)), ("D55", fine(&D55)), ("D65", fine(&D65))];
+        [("A", A.fine()), ("C", C.fine()), ("D50", D50.fine()), ("D55", D55.fine()), ("D65", D65.fine())];
     all.extend(others.map(|(name, light)| (name.to_string(), light)));
-    let others = [("D75", fine(&D75)), ("ID50", fine(&ID50)), ("ID65", fine(&ID65)), ("L41", L41)];
+    let others = [("D75", D75.fine()), ("ID50", ID50.fine()), ("ID65", ID65.fine()), ("L41", L41)];
     all.extend(others.map(|(name, light)| (name.to_string(), light)));
     assert_eq!(all.len(), 86);
     // Brought to equal power, so that a scaled copy counts as one; what differs, of twice the power.
@@ -307,7 +303,7 @@ fn no_two_tables_are_copies_of_each_other() {
         }
     }
     println!("nearest two: {pair}, {nearest}");
-    assert_ne!(fine(&LED_B3_1NM), L41);
+    assert_ne!(LED_B3_1NM.fine(), L41);
     assert!(nearest > 0.01, "{pair} differ by only {nearest} of their power");
 }
 
@@ -320,7 +316,7 @@ fn fl11_is_a_triphosphor_lamp_and_fl2_is_not() {
     };
     let (fl11, fl2) = (in_bands(lamp("FL11").1), in_bands(lamp("FL2").1));
     assert!(fl11 > 0.55 && fl2 < 0.35, "{fl11} {fl2}");
-    let found = cri(&fine(lamp("FL11").1)).expect("a white lamp");
+    let found = cri(&lamp("FL11").1.fine()).expect("a white lamp");
     assert!((found.cct_k - 4000.0).abs() < 5.0 && (found.ra - 83.0).abs() < 0.5, "{found:?}");
     assert!(found.r[8] < 50.0, "R9 of a triphosphor lamp is poor: {}", found.r[8]);
 }

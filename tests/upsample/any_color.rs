@@ -8,7 +8,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Basis, LinearStart, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap, Status, Viewing, kubelka_munk,
 };
-use nanospectra::{Bins, Curve, Factor, Interpolation, Light, Nodes, Observer, Outside, Reflectance};
+use nanospectra::{Bins, Curve, Factor, Interpolation, Light, Nodes, Observer, Reflectance};
 use proptest::prelude::*;
 use proptest::sample::select;
 
@@ -18,7 +18,7 @@ static VIEWING: Viewing<31, Grid> = Viewing::new(&EYE);
 static SIGMOID: Sigmoid<31, Grid> = Sigmoid::new(&VIEWING);
 static BASIS: Basis<31, Grid> = Basis::new(&VIEWING);
 static SMITS: Smits<31, Grid> = Smits::new();
-static WHITE: Light<31, Grid> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+static WHITE: Light<31, Grid> = D65.interpolate(Interpolation::Linear);
 /// Few bands and a wide space: much of it is out of reach.
 static WIDE_VIEWING: Viewing<16, Bins<380, 730>, Bt2020> =
     Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));

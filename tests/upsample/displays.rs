@@ -9,10 +9,10 @@ use nanospectra::light::{A, FL11};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Basis, CohenR, Display, Sigmoid, Viewing, kubelka_munk};
-use nanospectra::{Curve, Factor, Fine, Interpolation, Nodes, Observer, Outside, Power, Reflectance};
+use nanospectra::{Curve, Factor, Fine, Nodes, Observer, Power, Reflectance};
 
 type Grid = Nodes<380, 780>;
-const UNDER_A: Fine<Power> = A.interpolate(Interpolation::Linear, Outside::Zero);
+const UNDER_A: Fine<Power> = A.fine();
 static EYE: Observer<3, 81, Power, Grid> = CIE_1931.fold(Curve::Step);
 static BY_DAY: Observer<3, 81, Factor, Grid> = CIE_1931.under(&LIGHT).fold(Curve::Step);
 static VIEWING: Viewing<81, Grid> = Viewing::new(&BY_DAY);
@@ -131,7 +131,7 @@ fn metamers_match_under_d65_and_drift_apart_under_a() {
     let basis = Basis::new(&VIEWING);
     let (mut most, mut drift) = (0.0f32, 0.0f32);
     for sample in &CES {
-        let measured: Reflectance<81, Grid> = sample.resample(Outside::Hold);
+        let measured: Reflectance<81, Grid> = sample.resample();
         let rgb = VIEWING.rgb(&measured);
         if !rgb.in_gamut() {
             continue;

@@ -8,9 +8,9 @@ mod fit;
 mod single_colors;
 mod tables;
 
-use nanospectra::{Fine, Interpolation, Outside, Power, light::D65};
+use nanospectra::{Fine, Power, light::D65};
 
-const LIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+const LIGHT: Fine<Power> = D65.fine();
 
 /// Every color of an n^3 cube of encoded values.
 fn cube(n: usize, mut f: impl FnMut([f32; 3])) {

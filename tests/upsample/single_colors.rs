@@ -12,7 +12,7 @@ use nanospectra::upsample::{
     Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, SmitsBins, StartMap,
     Status, Viewing,
 };
-use nanospectra::{Bins, Curve, Grid, Interpolation, Nodes, Outside, Reflectance};
+use nanospectra::{Bins, Curve, Grid, Interpolation, Nodes, Reflectance};
 
 type Points = Nodes<400, 700>;
 static VIEWING: Viewing<31, Points> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
@@ -168,7 +168,7 @@ fn most_of_the_wide_gamuts_is_solved_and_the_rest_says_so() {
     assert_eq!(percent(&viewing::<81, Nodes<380, 780>, DisplayP3>()), 96.3);
     assert_eq!(percent(&viewing::<81, Nodes<380, 780>, Bt2020>()), 78.2);
     assert_eq!(percent(&viewing::<81, Nodes<380, 780>, AdobeRgb>()), 95.8);
-    let d60 = daylight(6000.0).expect("in range").interpolate(Interpolation::Linear, Outside::Zero);
+    let d60 = daylight(6000.0).expect("in range").fine();
     let aces: Viewing<81, Nodes<380, 780>, AcesCg> = Viewing::new(&CIE_1931.under(&d60).fold(Curve::Step));
     assert_eq!(percent(&aces), 68.4);
     assert_eq!(percent(&viewing::<31, Points, DisplayP3>()), 95.9);
@@ -228,7 +228,7 @@ fn the_basis_leaves_what_is_possible_in_wider_spaces() {
         });
         [low, high].map(|share| (100.0 * share).round() / 100.0)
     }
-    let d60 = daylight(6000.0).expect("in range").interpolate(Interpolation::Linear, Outside::Zero);
+    let d60 = daylight(6000.0).expect("in range").fine();
     let aces: Viewing<31, Points, AcesCg> = Viewing::new(&CIE_1931.under(&d60).fold(Curve::Step));
     assert_eq!(range(&viewing::<31, Points, DisplayP3>()), [-0.21, 1.21]);
     assert_eq!(range(&viewing::<31, Points, AdobeRgb>()), [-0.38, 1.38]);
@@ -368,7 +368,7 @@ fn no_finite_number_is_too_large_or_too_small_to_be_answered() {
 
 #[test]
 fn an_unbounded_spectrum_and_a_light_have_the_color_at_any_size() {
-    let white: nanospectra::Light<31, Points> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let white: nanospectra::Light<31, Points> = D65.interpolate(Interpolation::Linear);
     for k in [1e-6f32, 0.3, 1.0, 7.0, 1e6] {
         for [r, g, b] in [[1.0, 0.4, 0.1], [0.2, 1.0, 0.9], [0.9, 1.0, 0.95], [1.0, 1.0, 1.0]] {
             let rgb = Rgb::new(k * r, k * g, k * b);

@@ -132,7 +132,7 @@ fn answer(choice: &Choice, classes: &[usize]) -> String {
 fn lines(choice: &Choice) -> String {
     let n = choice.bands;
     let grid = format!("Bins<{}>", choice.range.replace("..", ", "));
-    let lamp = "CIE_1931.under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))";
+    let lamp = "CIE_1931.under(&FL11.fine())";
     let folded = |curve| {
         format!(
             "// Your lamp for FL11; worked out by the compiler.\n\

@@ -6,7 +6,7 @@ use crate::report::{Cell, Column, Table};
 use model::noise::Noise;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Bins, Curve, Factor, Grid, Interpolation, Nodes, Observer, Outside, Spectrum};
+use nanospectra::{Bins, Curve, Factor, Grid, Nodes, Observer, Spectrum};
 use nanospectra_hard::yardstick::sums::{naive, pairwise};
 use std::hint::black_box;
 
@@ -47,7 +47,7 @@ pub fn tables(runs: usize) -> Vec<Table> {
 }
 
 fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
-    let d65 = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let d65 = D65.fine();
     let eye: Observer<3, N, Factor, G> = CIE_1931.under(&d65).fold(Curve::Step);
     let mut noise = Noise(N as u64);
     let mut errors = [[0.0_f64; 2]; WAYS.len()];

@@ -13,9 +13,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
     Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, Smits, StartMap, Viewing,
 };
-use nanospectra::{
-    Curve, Factor, Fine, Grid, Interpolation, Nodes, Observer, Outside, Power, Reflectance, Spectrum,
-};
+use nanospectra::{Curve, Factor, Grid, Nodes, Observer, Reflectance};
 use nanospectra_hard::yardstick::product::rgb_product;
 use rgb2spec::RGB2Spec;
 use rgb2spec::optimize::{gamut::Gamut, optimize};
@@ -62,12 +60,8 @@ pub fn tables(runs: usize) -> Vec<Table> {
     }]
 }
 
-fn fine<const N: usize, G: Grid>(light: &Spectrum<Power, N, G>) -> Fine<Power> {
-    light.interpolate(Interpolation::Linear, Outside::Zero)
-}
-
 fn viewing<const N: usize, G: Grid>() -> Viewing<N, G> {
-    Viewing::new(&CIE_1931.under(&fine(&D65)).fold(Curve::Step))
+    Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step))
 }
 
 fn wide(xyz: [f32; 3]) -> [f64; 3] {
@@ -86,10 +80,10 @@ type Method<'a> = &'a dyn Fn(Rgb<Srgb>) -> Reflectance<WIDE, Wide>;
 impl Study {
     fn new() -> Self {
         let viewing: Viewing<WIDE, Wide> = viewing();
-        let lamps = [fine(&A), fine(&FL2), fine(&FL11), fine(&LED_B3)]
+        let lamps = [A.fine(), FL2.fine(), FL11.fine(), LED_B3.fine()]
             .map(|light| CIE_1931.under(&light).fold(Curve::Step).with_white_y(100.0));
         let samples = CES.iter().map(|sample| {
-            let real: Reflectance<WIDE, Wide> = sample.resample(Outside::Hold);
+            let real: Reflectance<WIDE, Wide> = sample.resample();
             (real, viewing.rgb(&real))
         });
         let samples = samples.filter(|(_, rgb)| rgb.in_gamut()).collect();

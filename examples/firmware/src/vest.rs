@@ -2,10 +2,10 @@
 
 use nanospectra::light::FL11;
 use nanospectra::matter::Dye;
-use nanospectra::{Interpolation, Light, Outside, Reflectance};
+use nanospectra::{Interpolation, Light, Reflectance};
 
 /// FL11 at the centers of 31 bands.
-pub static LAMP: Light<31> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
+pub static LAMP: Light<31> = FL11.interpolate(Interpolation::Linear);
 
 /// Absorbs blue (up to 490 nm) and emits green (500 to 580 nm).
 pub static VEST: Dye<31> = {

@@ -89,7 +89,7 @@ extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
     let is_sprague = cfg!(feature = "light") && sprague == 1;
     let by = if is_sprague { Interpolation::Sprague } else { Interpolation::Linear };
     let outside = if hold == 0 { Outside::Zero } else { Outside::Hold };
-    match Fine::interpolated(given(&board.samples, count), by, outside) {
+    match Fine::interpolated_outside(given(&board.samples, count), by, outside) {
         Ok(fine) => {
             board.curve = fine;
             0

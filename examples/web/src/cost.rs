@@ -6,9 +6,7 @@ use crate::fixed::Fixed;
 use nanospectra::color::{Lab, Xyz, ciede2000};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{
-    Bins, Curve, Factor, Fine, Grid, Interpolation, Light, Observer, Outside, Power, Reflectance,
-};
+use nanospectra::{Bins, Curve, Factor, Fine, Grid, Light, Observer, Power, Reflectance};
 
 const SAMPLES: usize = 99;
 const NOWHERE: Lab = Lab { l: f32::NAN, a: f32::NAN, b: f32::NAN };
@@ -26,7 +24,7 @@ extern "C" fn look_closely() {
     let eye = CIE_1931.under(&board().curve);
     let white = eye.sees(&Fine::flat(1.0));
     for (seen, sample) in TRUTH.get().iter_mut().zip(&CES) {
-        let fine: Fine<Factor> = sample.interpolate(Interpolation::Linear, Outside::Hold);
+        let fine: Fine<Factor> = sample.fine();
         *seen = lab(eye.sees(&fine), white);
     }
 }
@@ -42,13 +40,13 @@ fn errors<const N: usize, G: Grid>(light: &Fine<Power>, curve: u32, out: &mut [f
         2 => under(Curve::Spline),
         _ => {
             let eye: Observer<3, N, Power, G> = CIE_1931.fold(Curve::Step);
-            let light: Light<N, G> = light.resample(Outside::Zero);
+            let light: Light<N, G> = light.resample();
             eye.under(&light)
         }
     };
     let white = eye.sees(&Reflectance::flat(1.0));
     for ((error, sample), truth) in out.iter_mut().zip(&CES).zip(TRUTH.get().iter()) {
-        let surface: Reflectance<N, G> = sample.resample(Outside::Hold);
+        let surface: Reflectance<N, G> = sample.resample();
         *error = ciede2000(lab(eye.sees(&surface), white), *truth);
     }
 }

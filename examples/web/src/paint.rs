@@ -7,7 +7,7 @@ use nanospectra::color::Srgb;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Sigmoid, Viewing};
-use nanospectra::{Curve, Interpolation, Nodes, Outside};
+use nanospectra::{Curve, Nodes};
 
 /// Every 10 nm in the small module, every 5 nm in the other.
 #[cfg(not(feature = "paint"))]
@@ -22,8 +22,7 @@ mod bands {
 }
 pub use bands::{Grid, N};
 
-static VIEWING: Viewing<N, Grid> =
-    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+static VIEWING: Viewing<N, Grid> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
 /// The small module starts from the small map.
 #[cfg(not(feature = "paint"))]
 type Start = nanospectra::upsample::LinearStart;

@@ -81,7 +81,7 @@ fn add(what: What, without: Reflectance<N, Grid>) -> u32 {
 }
 
 fn read(samples: &[(f32, f32)], outside: Outside) -> Result<Reflectance<N, Grid>, u32> {
-    Spectrum::from_samples(samples, outside).map_err(code)
+    Spectrum::from_samples_outside(samples, outside).map_err(code)
 }
 
 /// An empty scene.
@@ -254,7 +254,7 @@ fn scene(Parts { parts, without, count }: &Parts, off: u32) -> Scene<'_, N, PART
 extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u32 {
     let board = board();
     let parts = &*SCENE.get();
-    let lit: Light<N, Grid> = board.curve.resample(Outside::Zero);
+    let lit: Light<N, Grid> = board.curve.resample();
     let photopic = photopic();
     let bare = Irradiance::new(lit).luminous_by(&photopic).value().0;
     let lit = if illuminance_lx > 0.0 { lit * (illuminance_lx / bare) } else { lit };

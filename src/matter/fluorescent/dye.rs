@@ -174,11 +174,11 @@ impl<const N: usize, G: Bands> Dye<N, G> {
     where
         G: Grid,
     {
-        let reflects = Spectrum::<Factor, N, G>::from_bins(self.reflects).resample::<M, H>(Outside::Hold);
-        let emits = Spectrum::<Power, N, G>::from_bins(self.emits).resample::<M, H>(Outside::Zero);
+        let reflects = Spectrum::<Factor, N, G>::from_bins(self.reflects).resample::<M, H>();
+        let emits = Spectrum::<Power, N, G>::from_bins(self.emits).resample::<M, H>();
         // Absorption is a total over each bin: per nm it is an average.
         let absorbs = Spectrum::<Factor, N, G>::from_bins(self.absorbs) * (1.0 / Layout::<G, N>::STEP);
-        let absorbs = absorbs.resample::<M, H>(Outside::Zero) * Layout::<H, M>::STEP;
+        let absorbs = absorbs.resample_outside::<M, H>(Outside::Zero) * Layout::<H, M>::STEP;
         Dye {
             reflects: *reflects.values(),
             absorbs: *absorbs.values(),

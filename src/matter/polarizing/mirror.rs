@@ -4,7 +4,7 @@ use crate::grid::{Bins, by_fields};
 use crate::math::sqrt_by_digits;
 use crate::matter::polarizing::mueller::along_and_across;
 use crate::matter::{Conductor, Mueller};
-use crate::spectrum::{Factor, Index, Spectrum};
+use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// A smooth surface that mirrors the light at one angle of incidence; its axis is the direction *across* the plane of
 /// incidence (s, parallel to the surface).
@@ -72,8 +72,8 @@ impl<const N: usize, G> Mirror<N, G> {
     /// ```
     #[must_use]
     pub fn conductor(
-        eta: &Spectrum<Index, N, G>,
-        k: &Spectrum<Index, N, G>,
+        eta: &Spectrum<RefractiveIndex, N, G>,
+        k: &Spectrum<RefractiveIndex, N, G>,
         cos_incidence: f32,
         s_axis_turns: f32,
     ) -> Self {

@@ -33,7 +33,7 @@ const LARGEST_INDEX: f32 = 1e15;
 /// A boundary to a transparent medium: glass, water, and air as seen from within them.
 ///
 /// `V` is the relative refractive index eta = n2 / n1, where light comes from medium 1: an `f32`, or a
-/// [`Spectrum`](crate::Spectrum) of [`Index`](crate::Index) for a glass that disperses.
+/// [`Spectrum`](crate::Spectrum) of [`RefractiveIndex`](crate::RefractiveIndex) for a glass that disperses.
 ///
 /// ```
 /// # use nanospectra::matter::Dielectric;
@@ -50,7 +50,7 @@ pub struct Dielectric<V = f32> {
 
 /// A boundary to an absorbing medium, a metal above all, of complex relative index eta + i k.
 ///
-/// `V` is `f32`, or a [`Spectrum`](crate::Spectrum) of [`Index`](crate::Index).
+/// `V` is `f32`, or a [`Spectrum`](crate::Spectrum) of [`RefractiveIndex`](crate::RefractiveIndex).
 ///
 /// ```
 /// # use nanospectra::matter::Conductor;

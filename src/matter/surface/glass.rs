@@ -2,7 +2,7 @@
 
 use crate::grid::Grid;
 use crate::math::sqrt;
-use crate::spectrum::{Index, Spectrum};
+use crate::spectrum::{RefractiveIndex, Spectrum};
 
 /// A formula for the refractive index of a transparent medium.
 pub trait Glass {
@@ -11,10 +11,10 @@ pub trait Glass {
     fn index(&self, nm: f32) -> Option<f32>;
 
     /// The index at the center of each bin; `None` if one of them has none.
-    fn indices<const N: usize, G: Grid>(&self) -> Option<Spectrum<Index, N, G>> {
+    fn indices<const N: usize, G: Grid>(&self) -> Option<Spectrum<RefractiveIndex, N, G>> {
         let mut indices = Spectrum::from_bins([0.0; N]);
         for (k, index) in indices.values_mut().iter_mut().enumerate() {
-            *index = self.index(Spectrum::<Index, N, G>::center_nm(k))?;
+            *index = self.index(Spectrum::<RefractiveIndex, N, G>::center_nm(k))?;
         }
         Some(indices)
     }

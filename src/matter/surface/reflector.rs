@@ -3,7 +3,7 @@
 use crate::geometry::Integrand;
 use crate::grid::Bands;
 use crate::matter::surface::fresnel::{Conductor, Dielectric};
-use crate::spectrum::{Factor, Index, Spectrum};
+use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// The share of unpolarized light that a smooth boundary reflects at a cosine of incidence.
 ///
@@ -57,7 +57,7 @@ impl Reflector for Conductor {
     }
 }
 
-impl<const N: usize, G: Bands> Reflector for Dielectric<Spectrum<Index, N, G>> {
+impl<const N: usize, G: Bands> Reflector for Dielectric<Spectrum<RefractiveIndex, N, G>> {
     type Value = Spectrum<Factor, N, G>;
 
     fn reflectance(&self, cos_i: f32) -> Self::Value {
@@ -65,7 +65,7 @@ impl<const N: usize, G: Bands> Reflector for Dielectric<Spectrum<Index, N, G>> {
     }
 }
 
-impl<const N: usize, G: Bands> Reflector for Conductor<Spectrum<Index, N, G>> {
+impl<const N: usize, G: Bands> Reflector for Conductor<Spectrum<RefractiveIndex, N, G>> {
     type Value = Spectrum<Factor, N, G>;
 
     fn reflectance(&self, cos_i: f32) -> Self::Value {

@@ -7,7 +7,7 @@ use crate::math::at_most;
 use crate::math::{Math, sqrt};
 use crate::matter::volume::absorption::depth;
 use crate::matter::{Absorber, AbsorberError, Dielectric, Shares};
-use crate::spectrum::{Factor, Index, Spectrum};
+use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// A plane-parallel slab between two like media: window glass, a filter, the wall of a cuvette.
 ///
@@ -47,7 +47,7 @@ use crate::spectrum::{Factor, Index, Spectrum};
 pub struct Slab<const N: usize, G = Bins<380, 730>> {
     /// Refractive index of each bin relative to what is around it, above 0: [`Spectrum::flat`] for one index, or
     /// [`Glass::indices`](crate::matter::Glass::indices). Below 1 it is a gap of air in glass.
-    pub index: Spectrum<Index, N, G>,
+    pub index: Spectrum<RefractiveIndex, N, G>,
     /// What it is made of.
     pub absorber: Absorber<N, G>,
     /// Its thickness in m, 0 or more; a negative one is none, and all is NaN.
@@ -63,7 +63,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
     #[cfg(feature = "libm")]
     pub fn from_transmittance(
         external: &Spectrum<Factor, N, G>,
-        index: Spectrum<Index, N, G>,
+        index: Spectrum<RefractiveIndex, N, G>,
         thickness_m: f32,
     ) -> Result<Self, AbsorberError> {
         Self::from_transmittance_with::<Portable>(external, index, thickness_m)
@@ -75,7 +75,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
     /// As there.
     pub fn from_transmittance_with<M: Math>(
         external: &Spectrum<Factor, N, G>,
-        index: Spectrum<Index, N, G>,
+        index: Spectrum<RefractiveIndex, N, G>,
         thickness_m: f32,
     ) -> Result<Self, AbsorberError> {
         let internal = internal_transmittance(external, &index)?;
@@ -213,7 +213,7 @@ by_fields!([const N: usize, G] Slab<N, G>, "Slab": index, absorber, thickness_m)
 /// ```
 pub fn internal_transmittance<const N: usize, G: Bands>(
     external: &Spectrum<Factor, N, G>,
-    index: &Spectrum<Index, N, G>,
+    index: &Spectrum<RefractiveIndex, N, G>,
 ) -> Result<Spectrum<Factor, N, G>, AbsorberError> {
     let mut internal = *external;
     for (bin, (value, index)) in internal.values_mut().iter_mut().zip(index.values()).enumerate() {

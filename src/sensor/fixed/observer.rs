@@ -11,10 +11,10 @@ use core::marker::PhantomData;
 /// the offset times the sum of samples taken off again.
 ///
 /// ```
-/// # use nanospectra::{Curve, Factor, Interpolation, Observer, Outside, light::FL11, observer::CIE_1931};
+/// # use nanospectra::{Curve, Factor, Observer, light::FL11, observer::CIE_1931};
 /// # use nanospectra::sensor::fixed::FixedObserver;
 /// static EYE: Observer<3, 16> = CIE_1931
-///     .under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))
+///     .under(&FL11.fine())
 ///     .fold(Curve::Spline)
 ///     .with_white_y(100.0);
 /// static FIXED: FixedObserver<3, 16> = FixedObserver::new(&EYE).unwrap();

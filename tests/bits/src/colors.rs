@@ -26,10 +26,10 @@ impl<const N: usize> Eyes<N> {
 
 /// A smooth light, a stepped one, one with lines, a mixed one; at 1 nm.
 static LAMPS: [Fine<Power>; 4] = [
-    A.interpolate(Interpolation::Linear, Outside::Zero),
-    D65.interpolate(Interpolation::Sprague, Outside::Zero),
-    FL11.interpolate(Interpolation::Linear, Outside::Zero),
-    LED_B1.interpolate(Interpolation::Sprague, Outside::Zero),
+    A.fine(),
+    D65.interpolate(Interpolation::Sprague),
+    FL11.fine(),
+    LED_B1.interpolate(Interpolation::Sprague),
 ];
 static EYES_16: Eyes<16> = Eyes::new(Curve::Spline);
 static EYES_31: Eyes<31> = Eyes::new(Curve::Parabola);
@@ -96,12 +96,12 @@ fn folded<const N: usize>(hash: &mut Hash, eyes: &Eyes<N>) {
         }
     }
     for surface in &TCS {
-        let paper: Reflectance<N> = surface.resample(Outside::Hold);
+        let paper: Reflectance<N> = surface.resample();
         hash.all(paper.values());
         hash.all(&eyes.paper.sees(&paper));
     }
     for lamp in &LAMPS {
-        let light: Light<N> = lamp.resample(Outside::Zero);
+        let light: Light<N> = lamp.resample();
         hash.all(light.values());
         hash.all(&eyes.light.sees(&light));
         hash.one(light.power());
@@ -134,16 +134,16 @@ fn samples(hash: &mut Hash) {
             (nm, random.unit())
         });
         for outside in [Outside::Zero, Outside::Hold] {
-            if let Ok(mut light) = Light::<31>::from_samples(&knots, outside) {
+            if let Ok(mut light) = Light::<31>::from_samples_outside(&knots, outside) {
                 hash.one(light.add_line(400.0 + 300.0 * random.unit(), 2.5));
                 hash.all(light.values());
             }
-            if let Ok(fine) = Fine::<Factor>::interpolated(&knots, Interpolation::Linear, outside) {
+            if let Ok(fine) = Fine::<Factor>::interpolated_outside(&knots, Interpolation::Linear, outside) {
                 hash.all(fine.values());
             }
         }
         let regular: [(f32, f32); 36] = from_fn(|k| (380.0 + 10.0 * k as f32, random.unit()));
-        if let Ok(fine) = Fine::<Power>::interpolated(&regular, Interpolation::Sprague, Outside::Zero) {
+        if let Ok(fine) = Fine::<Power>::interpolated(&regular, Interpolation::Sprague) {
             hash.all(fine.values());
         }
     }

@@ -9,5 +9,5 @@ pub const NAMES: &str = "E, A, C, D50, D55, D65, D75, ID50, ID65, FL1..FL12, FL3
 /// An illuminant with its name as the CIE writes it, whatever the case of `name`.
 pub fn find(name: &str, by: Interpolation) -> Option<(String, Fine<Power>)> {
     let name = name.to_uppercase();
-    light::named(&name, by).map(|power| (name, power))
+    light::interpolated(&name, by).map(|power| (name, power))
 }

@@ -48,7 +48,7 @@ impl Source {
         // Rounding to f32 is the same before and after a power of two. (Twice: 2^1074 overflows.)
         let half = (peak.log2() / 2.0).floor() as i32;
         let (up, scale) = (f64::powi(2.0, -half), f64::powi(2.0, 2 * half));
-        let power = self.fine(by, Outside::Zero, |value| value * up * up)?;
+        let power = self.fine(by, |value| value * up * up)?;
         if power.values().iter().all(|value| *value == 0.0) {
             return Err(self.wrong(
                 "no power at any whole nanometer of 360..830, nothing visible; give a spectrum that has",
@@ -68,7 +68,7 @@ impl Source {
                 return Err(Failure::at(&self.file, *line, what));
             }
         }
-        self.fine(by, Outside::Hold, |value| value)
+        self.fine(by, |value| value)
     }
 
     /// The failure of a light that `eye` does not see.
@@ -82,16 +82,11 @@ impl Source {
         Failure::at(&self.file, self.lines[0], format!("'{}': {what}", self.name))
     }
 
-    fn fine<Q: Quantity>(
-        &self,
-        by: Interpolation,
-        outside: Outside,
-        scaled: impl Fn(f64) -> f64,
-    ) -> Result<Fine<Q>, Failure> {
+    fn fine<Q: Quantity>(&self, by: Interpolation, scaled: impl Fn(f64) -> f64) -> Result<Fine<Q>, Failure> {
         let samples: Vec<(f32, f32)> =
             self.samples.iter().map(|(nm, value)| (*nm as f32, scaled(*value) as f32)).collect();
         let at = |index: usize, what| Failure::at(&self.file, self.lines[index], what);
-        let mut fine = Fine::interpolated(&samples, by, outside).map_err(|error| match error {
+        let mut fine = Fine::interpolated(&samples, by).map_err(|error| match error {
             SamplesError::NotRegular { index } => {
                 at(index, "off the regular step that sprague needs; use --interpolation linear")
             }
@@ -108,7 +103,7 @@ impl Source {
             for (value, nm) in fine.values_mut().iter_mut().zip(360..) {
                 let nm = f64::from(nm);
                 let read = exact::at(&self.samples, nm, by);
-                *value = match (read, outside) {
+                *value = match (read, Q::OUTSIDE) {
                     (Some(read), _) => scaled(read) as f32,
                     (None, Outside::Zero) => 0.0,
                     (None, Outside::Hold) if nm < self.samples[0].0 => scaled(self.samples[0].1) as f32,
@@ -139,11 +134,11 @@ impl Source {
     }
 
     /// What a reader should know about how the samples were used.
-    pub fn remarks(&self, by: Interpolation, outside: Outside) -> Vec<String> {
+    pub fn remarks<Q: Quantity>(&self, by: Interpolation) -> Vec<String> {
         let mut remarks = Vec::new();
         let (first, last) = self.ends();
         if first > VISIBLE_FROM || last < VISIBLE_TO {
-            let fate = match outside {
+            let fate = match Q::OUTSIDE {
                 Outside::Zero => "counts as zero",
                 Outside::Hold => "is taken to be as at the ends",
             };

@@ -1,7 +1,7 @@
 //! A spectrum drawn with block characters.
 
 use super::tint;
-use nanospectra::{Bins, Fine, Light, Outside, Power};
+use nanospectra::{Bins, Fine, Light, Power};
 
 const ROWS: usize = 8;
 /// From empty to full.
@@ -13,7 +13,7 @@ type Columns = Light<64, Bins<380, 780>>;
 /// The plot's lines, top to bottom, without line ends; in the colors of the wavelengths if
 /// `truecolor`.
 pub fn lines(curve: &Fine<Power>, truecolor: bool) -> Vec<String> {
-    let columns: Columns = curve.resample(Outside::Zero);
+    let columns: Columns = curve.resample();
     let top = columns.values().iter().copied().fold(0.0, f32::max);
     let mut lines: Vec<String> = (0..ROWS)
         .map(|row| {

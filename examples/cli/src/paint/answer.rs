@@ -63,8 +63,8 @@ impl<'a> Job<'a> {
     pub fn new(args: &'a Args, colors: &'a [Color]) -> Result<Self, Failure> {
         let aces = daylight(6000.0).filter(|_| args.space == Space::Acescg);
         let white = match aces {
-            Some(d60) => Lamp { name: "D60".into(), power: on_1_nm(&d60) },
-            None => Lamp { name: "D65".into(), power: on_1_nm(&D65) },
+            Some(d60) => Lamp { name: "D60".into(), power: d60.fine() },
+            None => Lamp { name: "D65".into(), power: D65.fine() },
         };
         let mut lamps: Vec<Lamp> = Vec::new();
         for name in &args.light {
@@ -75,10 +75,6 @@ impl<'a> Job<'a> {
         }
         Ok(Job { args, colors, white, lamps })
     }
-}
-
-fn on_1_nm<const N: usize, G: Grid>(light: &nanospectra::Light<N, G>) -> Fine<Power> {
-    light.interpolate(Interpolation::Linear, Outside::Zero)
 }
 
 fn lamp(name: &str) -> Result<Lamp, Failure> {
@@ -156,7 +152,7 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
             status,
             kept,
             spectrum: spectrum.iter().collect(),
-            curve: spectrum.resample(Outside::Zero),
+            curve: spectrum.resample_outside(Outside::Zero),
             roundtrip: given(self.viewing.rgb(&spectrum)),
             delta_e2000: self.viewing.delta_e(rgb, &spectrum),
             asked: srgb.clip().rgb.encode().to_u8(),
@@ -209,13 +205,12 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
 
 /// Every fourth sample of CES99, 24 of them: encoded sRGB under D65.
 pub fn samples() -> Vec<Color> {
-    let viewing: Viewing<81, Nodes<380, 780>> =
-        Viewing::new(&CIE_1931.under(&on_1_nm(&D65)).fold(Curve::Step));
+    let viewing: Viewing<81, Nodes<380, 780>> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
     let every_fourth = matter::CES.iter().zip(1..).step_by(4).take(24);
     every_fourth
         .map(|(sample, number)| {
             let name = format!("CES{number:02}");
-            let surface: Reflectance<81, Nodes<380, 780>> = sample.resample(Outside::Hold);
+            let surface: Reflectance<81, Nodes<380, 780>> = sample.resample();
             let numbers = viewing.rgb(&surface).clip().rgb.encode().to_array();
             Color { place: name.clone(), sample: Some(name), numbers, is_code: true }
         })

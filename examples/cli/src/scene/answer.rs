@@ -9,7 +9,7 @@ use nanospectra::observer::{CIE_1931, CIE_1964, V_PHOTOPIC};
 use nanospectra::path::{Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
 use nanospectra::sensor::nominal;
-use nanospectra::{Curve, FineObserver, Grid, Light, Observer, Outside, Power};
+use nanospectra::{Curve, FineObserver, Grid, Light, Observer, Power};
 
 /// The most parts that a scene may have.
 const PARTS: usize = 16;
@@ -141,7 +141,7 @@ pub fn answer_on<const N: usize, G: Grid>(
 
     matter::check_films(recipe, &parts)?;
 
-    let lit: Light<N, G> = lamp.power.resample(Outside::Zero);
+    let lit: Light<N, G> = lamp.power.resample();
     let v: Observer<1, N, Power, G> = V_PHOTOPIC.fold(Curve::Spline);
     let bare = Irradiance::new(lit).luminous_by(&v).value().0;
     // Scaled as the grid reads it, so that what was asked for is what is told.

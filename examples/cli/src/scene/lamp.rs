@@ -4,7 +4,7 @@ use crate::failure::{Failure, short};
 use crate::input::{illuminants, table, text};
 use crate::scene::file::{self, Recipe};
 use nanospectra::radiometry::illuminance;
-use nanospectra::{Fine, Interpolation, Outside, Power, light};
+use nanospectra::{Fine, Interpolation, Power, light};
 
 /// A lamp: what it is called, and its power on the CIE grid, and the level that was asked for.
 pub struct Lamp {
@@ -64,6 +64,6 @@ fn fine(samples: &[(f32, f32)]) -> Result<Fine<Power>, String> {
     if let Some((nm, value)) = samples.iter().find(|(_, value)| *value < 0.0) {
         return Err(format!("{value} at {nm} nm is no power; give 0 or more"));
     }
-    Fine::interpolated(samples, Interpolation::Linear, Outside::Zero)
+    Fine::interpolated(samples, Interpolation::Linear)
         .map_err(|error| format!("{error}; give wavelengths in nm, increasing"))
 }

@@ -5,7 +5,7 @@ use crate::input::table;
 use crate::scene::file::{self, Factors, Film, Part as Written, Points, Recipe, Sample};
 use nanospectra::matter::{Absorber, CES, Dye, Mirror, Polarizer, Retarder, ThinFilm};
 use nanospectra::path::Part;
-use nanospectra::{Grid, Light, Outside, Quantity, Reflectance, Spectrum};
+use nanospectra::{Grid, Light, Quantity, Reflectance, Spectrum};
 use toml::Spanned;
 
 /// A part by itself.
@@ -87,7 +87,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
                 [("reflectance", &dye.reflectance), ("absorption", &dye.absorption)]
                     .map(|(name, points)| shares(points).map_err(|what| wrong(format!("{name}: {what}"))));
             let emission: Light<N, G> =
-                samples(&dye.emission, Outside::Zero).map_err(|what| wrong(format!("emission: {what}")))?;
+                samples(&dye.emission).map_err(|what| wrong(format!("emission: {what}")))?;
             let dye = Dye::new(&reflectance?, &absorption?, &emission, dye.quantum_yield)
                 .map_err(|error| wrong(format!("{error}; correct the dye's numbers")))?;
             ("dye", "fluorescence", !transmitted, What::Dye(dye))
@@ -183,10 +183,10 @@ fn factors_of<const N: usize, G: Grid>(
         (None, None, None, Some(number), None) => {
             let sample = number.checked_sub(1).and_then(|k| CES.get(k));
             let none = || wrong(format!("ces = {number} is none of them; give 1..99"));
-            Ok(sample.ok_or_else(none)?.resample(Outside::Hold))
+            Ok(sample.ok_or_else(none)?.resample())
         }
         (None, None, None, None, Some(points)) => {
-            let absorbance: Reflectance<N, G> = samples(points, Outside::Hold).map_err(wrong)?;
+            let absorbance: Reflectance<N, G> = samples(points).map_err(wrong)?;
             let glass = Absorber::<N, G>::from_molar(*absorbance.values(), 1.0)
                 .map_err(|error| wrong(format!("{error}; give absorbances of 0 or more")))?;
             Ok(glass.transmittance(path_m))
@@ -234,13 +234,10 @@ fn shares<const N: usize, G: Grid>(points: &Points) -> Result<Reflectance<N, G>,
     if let Some(Sample { nm, value }) = points.iter().find(|sample| !(0.0..=1.0).contains(&sample.value)) {
         return Err(format!("{value} at {nm} nm is no share; give 0..1, not percent"));
     }
-    samples(points, Outside::Hold)
+    samples(points)
 }
 
-fn samples<Q: Quantity, const N: usize, G: Grid>(
-    points: &Points,
-    outside: Outside,
-) -> Result<Spectrum<Q, N, G>, String> {
-    Spectrum::from_samples(&file::pairs(points), outside)
+fn samples<Q: Quantity, const N: usize, G: Grid>(points: &Points) -> Result<Spectrum<Q, N, G>, String> {
+    Spectrum::from_samples(&file::pairs(points))
         .map_err(|error| format!("{error}; give [[nm, value], ..], nm increasing"))
 }

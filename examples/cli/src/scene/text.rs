@@ -4,7 +4,7 @@ use crate::failure::printable;
 use crate::output::Report;
 use crate::scene::answer::{Absolute, Answer, Budget, Look, Sensor};
 use nanospectra::path::Price;
-use nanospectra::{Fine, Interpolation, Light, Outside, Power};
+use nanospectra::{Fine, Interpolation, Light, Power};
 use std::path::Path;
 
 /// All of it; with escapes for color if `truecolor`.
@@ -139,5 +139,5 @@ fn digits(value: f32) -> String {
 
 /// For plots: the bands joined, on 1 nm.
 fn curve(spectrum: &[(f32, f32)]) -> Fine<Power> {
-    Fine::interpolated(spectrum, Interpolation::Linear, Outside::Zero).unwrap_or(Light::flat(0.0))
+    Fine::interpolated(spectrum, Interpolation::Linear).unwrap_or(Light::flat(0.0))
 }

@@ -8,7 +8,7 @@ use crate::sensor::log::Entry;
 use nanospectra::color::{Cct, Xy, Xyz};
 use nanospectra::radiometry::ppfd;
 use nanospectra::sensor::{BasicCounts, CctUncertainty, Exposure, Unusable, Variances};
-use nanospectra::{Fine, Interpolation, Light, Outside};
+use nanospectra::{Fine, Light};
 
 /// Everything that is known of a reading.
 pub struct Reading {
@@ -164,7 +164,7 @@ fn color<const C: usize>(
         lux_uncertainty: lux_is_known.then_some(lux_uncertainty),
         absolute: setup.absolute,
         ppfd: spectrum.filter(|_| lux_is_known).map(|light| {
-            let fine: Fine<nanospectra::Power> = light.interpolate(Interpolation::Linear, Outside::Zero);
+            let fine: Fine<nanospectra::Power> = light.fine();
             ppfd(&fine)
         }),
         spectrum: spectrum.map(|light| {

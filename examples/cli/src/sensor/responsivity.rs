@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::sensor::cells;
 use crate::sensor::chip::{BINS, Grid};
-use nanospectra::{Light, Outside, SamplesError};
+use nanospectra::{Light, SamplesError};
 use std::path::Path;
 
 /// The weights of each channel on the bins: averages of the curves over them, times their width.
@@ -27,7 +27,7 @@ pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failur
                 sample => Ok(sample),
             })
             .collect::<Result<Vec<_>, Failure>>()?;
-        let curve = Light::<BINS, Grid>::from_samples(&samples, Outside::Zero).map_err(|error| {
+        let curve = Light::<BINS, Grid>::from_samples(&samples).map_err(|error| {
             let line = |index: usize| table.rows.get(index).map_or(table.line, |row| row.line);
             match error {
                 SamplesError::TooFew { .. } => table.wrong("one wavelength is no curve; add rows"),

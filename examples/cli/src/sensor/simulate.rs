@@ -4,7 +4,7 @@
 
 use nanospectra::radiometry::illuminance;
 use nanospectra::sensor::{AS7341_LADDER, AutoExposure, Exposure, Noise, nominal};
-use nanospectra::{Fine, Interpolation, Nodes, Observer, Power, light};
+use nanospectra::{Fine, Nodes, Observer, Power, light};
 use std::fmt::Write;
 
 /// What the chip adds.
@@ -32,7 +32,7 @@ pub const LAMPS: [(&str, &str, f32); 6] = [
 
 /// W/m2/nm of a lamp at an illuminance.
 pub fn lamp(name: &str, lux: f32) -> Fine<Power> {
-    let light = light::named(name, Interpolation::Linear).unwrap_or(Fine::flat(0.0));
+    let light = light::named(name).unwrap_or(Fine::flat(0.0));
     at(lux, &light)
 }
 

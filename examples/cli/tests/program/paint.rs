@@ -6,7 +6,7 @@ use model::interpolation::{Interpolation::Linear, Outside::Zero};
 use model::{linear, rgb, tables, transfer};
 use nanospectra::color::{EncodedRgb, Srgb};
 use nanospectra::upsample::{Sigmoid, SmitsBins, Viewing};
-use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance, light::D65, observer::CIE_1931};
+use nanospectra::{Curve, Nodes, Reflectance, light::D65, observer::CIE_1931};
 use serde_json::Value;
 use std::fs;
 
@@ -98,7 +98,7 @@ fn every_method_space_and_grid_says_what_an_f64_model_finds() {
 
 #[test]
 fn a_spectrum_has_the_bits_that_the_library_gives() {
-    let light = D65.interpolate(Interpolation::Linear, Outside::Zero);
+    let light = D65.fine();
     let viewing: Viewing<31, Nodes<400, 700>> = Viewing::new(&CIE_1931.under(&light).fold(Curve::Step));
     let sigmoid = Sigmoid::<31, _>::new(&viewing);
     let rgb = EncodedRgb::<Srgb>::new(0.8, 0.2, 0.1).decode();

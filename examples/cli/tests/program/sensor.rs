@@ -5,7 +5,7 @@ use nanospectra::color::Xyz;
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::radiometry::ppfd;
 use nanospectra::sensor::nominal;
-use nanospectra::{Fine, Interpolation, Power, light};
+use nanospectra::{Fine, Power, light};
 use nanospectra_cli::sensor::simulate;
 use serde_json::Value;
 
@@ -235,7 +235,7 @@ fn dark_counts_come_off_from_columns_or_from_a_file() {
 
 #[test]
 fn every_chip_sees_equal_energy_as_nearly_white() {
-    let flat = light::named("E", Interpolation::Linear).expect("equal energy");
+    let flat = light::named("E").expect("equal energy");
     let counts =
         |values: &[f32]| values.iter().map(|value| (value * 400.0).round().to_string()).collect::<Vec<_>>();
     let eleven = counts(&nominal::AS7343.sees(&flat));

@@ -11,7 +11,7 @@ use model::tables::Observer as Eye;
 use nanospectra::light::D65;
 use nanospectra::matter::ThinFilm;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Bins, Curve, Factor, Interpolation, Observer, Outside, Reflectance};
+use nanospectra::{Bins, Curve, Factor, Observer, Reflectance};
 use std::hint::black_box;
 
 /// Of soap, in nm, and how many points for each nanometer show all its fringes.
@@ -88,10 +88,8 @@ struct Look {
 const WAYS: [&str; 2] = ["points", "means"];
 
 fn of<const N: usize>(truth: &Truth, runs: usize) -> Look {
-    let eye: Observer<3, N, Factor, Bins<380, 730>> = CIE_1931
-        .under(&D65.interpolate(Interpolation::Linear, Outside::Zero))
-        .fold(Curve::Spline)
-        .with_white_y(100.0);
+    let eye: Observer<3, N, Factor, Bins<380, 730>> =
+        CIE_1931.under(&D65.fine()).fold(Curve::Spline).with_white_y(100.0);
     let film = ThinFilm::new([1.0, SOAP, 1.0], truth.thickness_nm);
     let points = || -> Reflectance<N> {
         let film = black_box(film);

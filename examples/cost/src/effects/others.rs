@@ -11,7 +11,7 @@ use nanospectra::matter::{CES, Dielectric, Glass, Mirror, N_SF11, Polarizer};
 use nanospectra::observer::CIE_1931;
 use nanospectra::path::{IntoPart, Scene};
 use nanospectra::sensor::DeadTime;
-use nanospectra::{Curve, Interpolation, Light, Nodes, Observer, Outside, Power, Reflectance};
+use nanospectra::{Curve, Light, Nodes, Observer, Power, Reflectance};
 
 type Grid = Nodes<380, 780>;
 const N: usize = 81;
@@ -42,11 +42,8 @@ struct Rooms {
 
 impl Rooms {
     fn new() -> Self {
-        let named = LAMPS.iter().filter_map(|name| light::named(name, Interpolation::Linear));
-        Rooms {
-            eye: CIE_1931.fold(Curve::Spline),
-            lamps: named.map(|lamp| lamp.resample(Outside::Zero)).collect(),
-        }
+        let named = LAMPS.iter().filter_map(|name| light::named(name));
+        Rooms { eye: CIE_1931.fold(Curve::Spline), lamps: named.map(|lamp| lamp.resample()).collect() }
     }
 
     /// Between two factors under each lamp: one costs what the other does.
@@ -119,7 +116,7 @@ impl Rooms {
             let counted =
                 |channel: f32, white: f32| counter.counted(channel / white) / counter.counted(1.0) * white;
             let samples = CES.iter().map(|sample| {
-                let sample: Reflectance<N, Grid> = sample.resample(Outside::Hold);
+                let sample: Reflectance<N, Grid> = sample.resample();
                 let seen = self.eye.sees(lamp.onto(&sample));
                 let Xyz { x, y, z } = Xyz::from(seen);
                 let [wx, wy, wz] = white;

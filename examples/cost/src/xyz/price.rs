@@ -4,7 +4,7 @@ use super::scheme::{BANDS, Scheme};
 use crate::clock::nanoseconds;
 use crate::counts::{Core, instructions};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Light, Observer, Outside, Power, Reflectance, light, matter};
+use nanospectra::{Curve, Light, Observer, Power, Reflectance, light, matter};
 use nanospectra_hard::yardstick::product::rgb_product;
 use std::hint::black_box;
 
@@ -59,9 +59,9 @@ impl Prices {
 
 fn timed<const N: usize>(runs: usize) -> (f64, f64) {
     let eye: Observer<3, N, Power> = CIE_1931.fold(Curve::Spline);
-    let lamp: Light<N> = light::FL11.resample(Outside::Zero);
+    let lamp: Light<N> = light::FL11.resample();
     let lit = eye.under(&lamp);
-    let paint: Reflectance<N> = matter::CES[0].resample(Outside::Hold);
+    let paint: Reflectance<N> = matter::CES[0].resample();
     let folded = nanoseconds(runs, || black_box(&lit).sees(black_box(&paint)));
     (folded, nanoseconds(runs, || black_box(&eye).sees(black_box(&lamp).onto(black_box(&paint)))))
 }

@@ -5,7 +5,7 @@ use super::score::{Score, Seen, score};
 use super::world::{CES, Lamp, Surface, World};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{
-    Bins, Curve, Factor, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, Reflectance, Spectrum,
+    Bins, Curve, Factor, Grid, Interpolation, Light, Nodes, Observer, Power, Reflectance, Spectrum,
 };
 use nanospectra_hard::yardstick::product::rgb_product;
 
@@ -106,22 +106,20 @@ fn seen<const N: usize, G: Grid>(
 }
 
 fn averaged<const N: usize, G: Grid>(lamp: &Lamp) -> Light<N, G> {
-    Light::from_samples(&lamp.points, Outside::Zero).expect("a lamp's wavelengths increase")
+    Light::from_samples(&lamp.points).expect("a lamp's wavelengths increase")
 }
 
 fn interpolated<const N: usize, G: Grid>(points: &[(f32, f32)]) -> Light<N, G> {
-    Light::interpolated(points, Interpolation::Linear, Outside::Zero).expect("a lamp's wavelengths increase")
+    Light::interpolated(points, Interpolation::Linear).expect("a lamp's wavelengths increase")
 }
 
 /// Averages over the bins; of two bounces their product.
 fn averages<const N: usize, G: Grid>(set: &[Surface]) -> Vec<Reflectance<N, G>> {
-    products(set, |factor| Reflectance::from_samples(factor, Outside::Hold).expect("a sample"))
+    products(set, |factor| Reflectance::from_samples(factor).expect("a sample"))
 }
 
 fn values<const N: usize, G: Grid>(set: &[Surface]) -> Vec<Reflectance<N, G>> {
-    products(set, |factor| {
-        Reflectance::interpolated(factor, Interpolation::Linear, Outside::Hold).expect("a sample")
-    })
+    products(set, |factor| Reflectance::interpolated(factor, Interpolation::Linear).expect("a sample"))
 }
 
 fn products<const N: usize, G: Grid>(
@@ -142,9 +140,10 @@ fn table() -> [Vec<(f32, f32)>; 3] {
 
 /// The averages of the color-matching functions over the bins, and nothing of what lies outside.
 fn eye_cut_off<const N: usize, G: Grid>() -> Observer<3, N, Power, G> {
-    Observer::from_rows(table().map(|row| {
-        *Spectrum::<Power, N, G>::from_samples(&row, Outside::Zero).expect("the observer's table").values()
-    }))
+    Observer::from_rows(
+        table()
+            .map(|row| *Spectrum::<Power, N, G>::from_samples(&row).expect("the observer's table").values()),
+    )
 }
 
 /// Their values at the nodes, for sums of points.

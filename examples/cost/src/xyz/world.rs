@@ -8,7 +8,7 @@ use model::lab::lab;
 use model::tables::{Observer, samples};
 use nanospectra::color::{Rgb, Srgb, Xyz};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Factor, Fine, FineObserver, Interpolation, Outside as Beyond, Power};
+use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
 
 /// (nm, value), as the crate takes samples.
 pub type Points = Vec<(f32, f32)>;
@@ -112,9 +112,9 @@ impl Lamp {
         let fine = FineEye::new(Observer::Cie1931, &Curve::new(lamp.points, Outside::Zero));
         // The CIE's rule for tables; a line, which is narrower than 1 nm, needs averages.
         let light: Fine<Power> = if lamp.class == Class::Lines {
-            Fine::from_samples(&points, Beyond::Zero)
+            Fine::from_samples(&points)
         } else {
-            Fine::interpolated(&points, Interpolation::Linear, Beyond::Zero)
+            Fine::interpolated(&points, Interpolation::Linear)
         }
         .expect("lamps have increasing wavelengths");
         let white = fine.white();

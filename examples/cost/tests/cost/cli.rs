@@ -2,7 +2,7 @@
 
 use nanospectra::light::FL11;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Bins, Curve, Factor, Interpolation, Light, Observer, Outside, Power, Reflectance};
+use nanospectra::{Bins, Curve, Factor, Light, Observer, Power, Reflectance};
 use std::process::Command;
 
 /// This file, in which advice must be found as it is given.
@@ -153,7 +153,7 @@ mod folded {
     // Your lamp for FL11; worked out by the compiler.
     #[rustfmt::skip]
     static EYE: Observer<3, 16, Factor, Bins<380, 730>> =
-        CIE_1931.under(&FL11.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Spline).with_white_y(100.0);
+        CIE_1931.under(&FL11.fine()).fold(Curve::Spline).with_white_y(100.0);
 
     pub fn xyz(surface: &Reflectance<16, Bins<380, 730>>) -> [f32; 3] {
         EYE.sees(surface)

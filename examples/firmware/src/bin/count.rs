@@ -8,11 +8,11 @@
 use nanospectra::color::{Lab, Xy, Xyz, ciede2000};
 use nanospectra::light::{D65, FL11};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::{Fine, Interpolation, Outside, Power, Reflectance, math};
+use nanospectra::{Fine, Power, Reflectance, math};
 use nanospectra_firmware::clock::Clock;
 use semihosting::{println, process};
 
-static FL11_FINE: Fine<Power> = FL11.interpolate(Interpolation::Linear, Outside::Zero);
+static FL11_FINE: Fine<Power> = FL11.fine();
 static WHITE: Xyz = Xyz { x: 95.047, y: 100.0, z: 108.883 };
 
 #[nanospectra_firmware::entry]
@@ -23,12 +23,7 @@ fn main() -> ! {
         ($($n:literal)*) => { $(folded::<$n>(&clock);)* };
     }
     each!(3 8 12 16 20 24 31 36 40 60 81 95);
-    count(
-        &clock,
-        "xyz-471",
-        |light, xyz| *xyz = CIE_1931.sees(light),
-        &[D65.interpolate(Interpolation::Linear, Outside::Zero)],
-    );
+    count(&clock, "xyz-471", |light, xyz| *xyz = CIE_1931.sees(light), &[D65.fine()]);
 
     // A pale, a dark, a strong blue and a strong red: both sides of Lab's knee.
     let colors = [[40.0, 50.0, 45.0], [0.3, 0.4, 0.2], [20.0, 10.0, 90.0], [40.0, 20.0, 0.5]].map(Xyz::from);

@@ -8,14 +8,11 @@
 mod without_panic;
 
 use core::hint::black_box;
+use nanospectra::Reflectance;
 use nanospectra::light::FL11;
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::{Interpolation, Outside, Reflectance};
 
-static EYE: Observer<3, 16> = CIE_1931
-    .under(&FL11.interpolate(Interpolation::Linear, Outside::Zero))
-    .fold(Curve::Spline)
-    .with_white_y(100.0);
+static EYE: Observer<3, 16> = CIE_1931.under(&FL11.fine()).fold(Curve::Spline).with_white_y(100.0);
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]

@@ -19,8 +19,7 @@ use nanospectra::{Bins, Fine, Interpolation, Light, Outside, Power, Reflectance}
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
 
-static IN_DAYLIGHT: Observer<3, 31> =
-    CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step);
+static IN_DAYLIGHT: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Step);
 static VIEWING: Viewing<31> = Viewing::new(&IN_DAYLIGHT);
 static SIGMOID: Sigmoid<31, Bins<380, 730>, Srgb, QuinticStart> = Sigmoid::new(&VIEWING);
 static BASIS: Basis<31> = Basis::new(&VIEWING);
@@ -41,13 +40,14 @@ fn everything() {
     let samples =
         black_box([(380.0, 0.1), (450.0, 1.0), (460.0, 0.7), (555.5, 0.4), (620.0, 1.0), (780.0, 0.0)]);
     for by in [Interpolation::Linear, Interpolation::Sprague] {
-        let _ = black_box(Fine::<Power>::interpolated(&samples, black_box(by), black_box(Outside::Hold)));
-        let lamp: Fine<Power> = black_box(&FL11).interpolate(black_box(by), Outside::Zero);
+        let _ =
+            black_box(Fine::<Power>::interpolated_outside(&samples, black_box(by), black_box(Outside::Hold)));
+        let lamp: Fine<Power> = black_box(&FL11).interpolate(black_box(by));
         meaning(&lamp);
     }
-    let mut lamp = Light::<31>::from_samples(&samples, Outside::Zero).unwrap_or(Light::flat(1.0));
+    let mut lamp = Light::<31>::from_samples(&samples).unwrap_or(Light::flat(1.0));
     let _ = black_box(lamp.add_line(black_box(589.0), 1.0));
-    let coarse: Light<16> = lamp.resample(black_box(Outside::Zero));
+    let coarse: Light<16> = lamp.resample_outside(black_box(Outside::Zero));
     let hot = Light::<31>::averaged(|nm| blackbody(nm, black_box(2856.0)));
     let mut reports = [[0.0; 3]; 2];
     EYE.sees_each(&[lamp, hot + lamp * 0.5], &mut reports);

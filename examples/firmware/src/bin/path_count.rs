@@ -6,7 +6,7 @@
 use nanospectra::light::FL11;
 use nanospectra::matter::{Donaldson, Dye, Mirror};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::{Light, Outside, Power, Reflectance};
+use nanospectra::{Light, Power, Reflectance};
 use nanospectra_firmware::clock::Clock;
 use nanospectra_firmware::vest::VEST;
 use semihosting::{println, process};
@@ -26,7 +26,7 @@ struct Parts {
 fn main() -> ! {
     let clock = Clock::start();
     let parts = Parts {
-        sun: FL11.resample(Outside::Zero),
+        sun: FL11.resample(),
         glass: Reflectance::flat(0.8),
         paper: Reflectance::flat(0.5),
         vest: &VEST,

@@ -5,7 +5,7 @@
 
 use nanospectra::light::FL11;
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::{Light, Outside, Power, Reflectance};
+use nanospectra::{Light, Power, Reflectance};
 use nanospectra_firmware::clock::Clock;
 use semihosting::{println, process};
 
@@ -18,7 +18,7 @@ impl<const N: usize> Parts<N> {
     const EYE: &'static Observer<3, N, Power> = &CIE_1931.fold(Curve::Step);
 
     fn new() -> Self {
-        Parts { lamp: FL11.resample(Outside::Zero), paper: Reflectance::flat(0.5) }
+        Parts { lamp: FL11.resample(), paper: Reflectance::flat(0.5) }
     }
 }
 

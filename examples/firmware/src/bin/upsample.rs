@@ -12,13 +12,12 @@ use nanospectra::color::Rgb;
 use nanospectra::light::D65;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Sigmoid, Viewing};
-use nanospectra::{Curve, Interpolation, Nodes, Outside};
+use nanospectra::{Curve, Nodes};
 
 type Eye = Viewing<31, Nodes<400, 700>>;
 
-static SIGMOID: Sigmoid<31, Nodes<400, 700>> = Sigmoid::new(&Eye::new(
-    &CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step),
-));
+static SIGMOID: Sigmoid<31, Nodes<400, 700>> =
+    Sigmoid::new(&Eye::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step)));
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]

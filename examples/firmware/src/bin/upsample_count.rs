@@ -11,15 +11,14 @@ use nanospectra::upsample::{
     Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, Solved, StartMap,
     Status, Viewing,
 };
-use nanospectra::{Curve, Interpolation, Nodes, Outside, Reflectance};
+use nanospectra::{Curve, Nodes, Reflectance};
 use nanospectra_firmware::clock::Clock;
 use semihosting::{println, process};
 
 type Grid = Nodes<400, 700>;
 type Answer = Solved<SigmoidReflectance>;
 
-static EYE: Viewing<31, Grid> =
-    Viewing::new(&CIE_1931.under(&D65.interpolate(Interpolation::Linear, Outside::Zero)).fold(Curve::Step));
+static EYE: Viewing<31, Grid> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
 static LINEAR: Sigmoid<31, Grid, Srgb, LinearStart> = Sigmoid::new(&EYE);
 static CUBIC: Sigmoid<31, Grid, Srgb, CubicStart> = Sigmoid::new(&EYE);
 static QUINTIC: Sigmoid<31, Grid, Srgb, QuinticStart> = Sigmoid::new(&EYE);

@@ -7,12 +7,12 @@ use nanospectra::color::Xy;
 use nanospectra::light::D65;
 use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Fine, FineObserver, Interpolation, Outside, Power};
+use nanospectra::{Fine, FineObserver, Power};
 use nanospectra_firmware::clock::Clock;
 use nanospectra_hard::yardstick::{cct, lobes, product, sums};
 use semihosting::{println, process};
 
-static DAYLIGHT: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
+static DAYLIGHT: Fine<Power> = D65.fine();
 static Y: FineObserver<1> = CIE_1931.mixed(&[[0.0, 1.0, 0.0]]);
 
 #[nanospectra_firmware::entry]

@@ -7,7 +7,7 @@ use nanospectra::light::D65;
 use nanospectra::math::cos_turns;
 use nanospectra::matter::{Shares, ThinFilm};
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Curve, Interpolation, Observer, Outside, Reflectance};
+use nanospectra::{Curve, Observer, Reflectance};
 
 pub fn rows(cases: &mut impl Cases) {
     cases.row("46", &PHASES, naive_phase, phase);
@@ -60,10 +60,7 @@ fn airy(&[d, nm]: &[f32; 2]) -> [f32; 1] {
     [s.reflected]
 }
 
-static EYE: Observer<3, 31> = CIE_1931
-    .under(&D65.interpolate(Interpolation::Linear, Outside::Zero))
-    .fold(Curve::Spline)
-    .with_white_y(100.0);
+static EYE: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Spline).with_white_y(100.0);
 
 /// XYZ of the film from its reflectance at the centers of 31 bins.
 fn points(&[d]: &[f32; 1]) -> [f32; 3] {

@@ -6,7 +6,7 @@ use nanospectra::math::sqrt;
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{ALPHA, BasicCounts, Calibration, Fit, Reconstruction, nominal};
-use nanospectra::{Curve, Fine, FineObserver, Interpolation, Nodes, Observer, Outside, Power};
+use nanospectra::{Curve, Fine, FineObserver, Nodes, Observer, Power};
 
 pub fn rows(cases: &mut impl Cases) {
     let alphas = [1e-8, 1e-6, 1e-5, 1e-3, 1e-2].map(|alpha| [alpha]);
@@ -161,11 +161,8 @@ fn twins(_: &[f32; 1]) -> [f32; 1] {
 
 /// Every second sample of CIE 224 under D65.
 fn patches(first: usize) -> impl Iterator<Item = Fine<Power>> {
-    let lamp: Fine<Power> = D65.interpolate(Interpolation::Linear, Outside::Zero);
-    CES.iter()
-        .skip(first)
-        .step_by(2)
-        .map(move |sample| lamp * sample.interpolate(Interpolation::Linear, Outside::Hold))
+    let lamp: Fine<Power> = D65.fine();
+    CES.iter().skip(first).step_by(2).map(move |sample| lamp * sample.fine())
 }
 
 fn counts(patch: &Fine<Power>) -> BasicCounts<8> {

@@ -10,7 +10,7 @@ use model::{film, sensor};
 use nanospectra::light::D65;
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
-use nanospectra::{Fine, Interpolation, Power};
+use nanospectra::{Fine, Power};
 use nanospectra_hard::cases::sensor::{AS7341, COUNTED, Chip, SMOOTH, WIDE};
 use std::f64::consts::TAU;
 use std::sync::{Mutex, PoisonError};
@@ -101,13 +101,13 @@ fn of_largest(got: &[f64], exact: &[f64]) -> Off {
 
 /// Differences of the samples that were not calibrated with.
 fn samples(got: &[f64]) -> Vec<f64> {
-    let lamp: Fine<Power> = D65.interpolate(Interpolation::Linear, nanospectra::Outside::Zero);
+    let lamp: Fine<Power> = D65.fine();
     let seen = |light: &Fine<Power>| CIE_1931.sees(light).map(f64::from);
     let white = seen(&lamp);
     let others = CES.iter().skip(1).step_by(2).zip(got.chunks(3));
     others
         .map(|(sample, got)| {
-            let patch = lamp * sample.interpolate(Interpolation::Linear, nanospectra::Outside::Hold);
+            let patch = lamp * sample.fine();
             de2000(lab([got[0], got[1], got[2]], white), lab(seen(&patch), white))
         })
         .collect()

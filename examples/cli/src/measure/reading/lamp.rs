@@ -7,7 +7,7 @@ use crate::measure::source::{Lamp, Source};
 use nanospectra::color::{Cct, Rgb, Xy, Xyz, cri, tm30};
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
-use nanospectra::{Fine, Outside, Power};
+use nanospectra::{Fine, Power};
 
 /// Equal energy: what the dominant wavelength of a light is seen from.
 const E: Xy = Xy { x: 1.0 / 3.0, y: 1.0 / 3.0 };
@@ -41,7 +41,7 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
             "for XYZ, chromaticity, dominant wavelength and sRGB; CCT, Duv, CRI and photometry stay with";
         reading.note("observer", format!("{} {what} CIE 1931", bench.eye.title()));
     }
-    for remark in source.remarks(bench.by(), Outside::Zero) {
+    for remark in source.remarks::<Power>(bench.by()) {
         reading.note("data", remark);
     }
     reading.curve = Some(power);

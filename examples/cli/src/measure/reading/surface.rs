@@ -4,7 +4,7 @@ use super::{Bench, Reading, Room};
 use crate::failure::Failure;
 use crate::measure::source::Source;
 use nanospectra::color::{Adaptation, Bradford, Lab, Rgb, RgbSpace, Srgb, Xy, Xyz, ciede2000};
-use nanospectra::{Fine, Outside};
+use nanospectra::{Factor, Fine};
 
 const PERFECT_WHITE: Lab = Lab { l: 100.0, a: 0.0, b: 0.0 };
 
@@ -37,7 +37,7 @@ pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, F
     for key in OF_THE_LIGHT.split(' ') {
         reading.note(key, "belongs to a light, not to a surface");
     }
-    for remark in source.remarks(bench.by(), Outside::Hold) {
+    for remark in source.remarks::<Factor>(bench.by()) {
         reading.note("data", remark);
     }
     let above = source.samples.iter().filter(|(_, value)| *value > 1.0).count();
