@@ -7,7 +7,7 @@ use model::noise::Noise;
 use model::sensor::{self, wide};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
-use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, nominal};
+use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, chip::as7341};
 use nanospectra::{Interpolation, Outside, light};
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn patches(lamps: &[&str]) -> Vec<Patch<8, 3>> {
         for sample in &CES {
             let seen = lamp * sample.interpolate(Interpolation::Linear, Outside::Hold);
             let xyz = CIE_1931.sees(&seen);
-            patches.push((nominal::AS7341.sees(&seen), xyz, 1.0 / xyz[1]));
+            patches.push((as7341::NOMINAL.sees(&seen), xyz, 1.0 / xyz[1]));
         }
     }
     patches

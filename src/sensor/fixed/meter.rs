@@ -1,7 +1,7 @@
 //! Counts of a chip to XYZ in integers.
 
 use crate::sensor::fixed::FixedXyz;
-use crate::sensor::{Calibration, Channels, Exposure, Unusable};
+use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 
 /// [`Meter`](crate::sensor::Meter) in integers: exposure, dark level and calibration in weights of 31 bits.
 ///
@@ -33,12 +33,12 @@ impl<const C: usize> FixedMeter<C> {
     /// it computes in f64.
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Option<Self> {
-        Self::above(exposure, &[0.0; C], calibration)
+        Self::new_above(exposure, &[0.0; C], calibration)
     }
 
-    /// The same above these dark levels, in counts of the exposure; `None` too if one is not within 0..=65 535.
+    /// One that reads above these dark levels, in counts of the exposure; `None` too if one is not within 0..=65 535.
     #[must_use]
-    pub const fn above(
+    pub const fn new_above(
         exposure: &Exposure,
         dark_levels: &[f32; C],
         calibration: &Calibration<C>,
@@ -99,7 +99,7 @@ impl<const C: usize> FixedMeter<C> {
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below
     /// zero.
     #[inline]
-    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, Unusable> {
+    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
         let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
         for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
             let count = u32::from(*count);
@@ -110,10 +110,10 @@ impl<const C: usize> FixedMeter<C> {
             z += times(count, *to_z);
         }
         if headroom >= 0 || total < self.floor {
-            return Err(Unusable::because(counts, self.full_scale.into()));
+            return Err(ReadingError::because(counts, self.full_scale.into()));
         }
         let xyz = FixedXyz::new([x, y, z], self.fraction);
-        if x | y | z < 0 { Err(Unusable::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
+        if x | y | z < 0 { Err(ReadingError::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
     }
 
     /// The channels at or above full scale.

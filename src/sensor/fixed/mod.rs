@@ -19,7 +19,7 @@
 //! assert_eq!(xyz.lux(), 1000);
 //! let Some(FixedCct::Near { cct_k, duv_e6, .. }) = xyz.cct() else { return Ok(()) };
 //! assert!((6450..6550).contains(&cct_k) && (2900..3700).contains(&duv_e6)); // D65: 6503 K, Duv 0.0032
-//! # Ok::<(), nanospectra::sensor::Unusable>(())
+//! # Ok::<(), nanospectra::sensor::ReadingError>(())
 //! ```
 
 mod cct;

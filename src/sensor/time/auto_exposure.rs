@@ -9,8 +9,8 @@ const AFTER_SATURATION: f32 = 64.0;
 /// stay below a target share of full scale.
 ///
 /// ```
-/// # use nanospectra::sensor::{AS7341_LADDER, AutoExposure};
-/// static AUTO: AutoExposure<'static> = match AutoExposure::new(&AS7341_LADDER) {
+/// # use nanospectra::sensor::{AutoExposure, chip::as7341};
+/// static AUTO: AutoExposure<'static> = match AutoExposure::new(&as7341::LADDER) {
 ///     Ok(auto) => auto,
 ///     Err(_) => panic!("not sorted"),
 /// };
@@ -92,7 +92,7 @@ impl<'a> AutoExposure<'a> {
 
     /// The next place, from the raw counts of a reading at the place `in_use`.
     ///
-    /// A light that does not change is found in four readings, wherever it begins, on a ladder like [`AS7341_LADDER`]
+    /// A light that does not change is found in four readings, wherever it begins, on a ladder like [`as7341::LADDER`](crate::sensor::chip::as7341::LADDER)
     /// (full scales of thousands of counts, steps of up to 8): saturated ones step down until
     /// 64 counts would be left of a full scale, and what is then counted tells the rest. With NaN among the counts
     /// it stays.
@@ -163,23 +163,3 @@ impl core::fmt::Display for LadderError {
 }
 
 impl core::error::Error for LadderError {}
-
-/// The AS7341 over four and a half decades of sensitivity: every gain at 50 ms, which averages mains of 50 and of
-/// 60 Hz, 5 ms below that for glaring light, 100 and 200 ms above it.
-pub static AS7341_LADDER: [Exposure; 15] = [
-    Exposure::as7341(0.5, 2, 599),
-    Exposure::as7341(0.5, 8, 599),
-    Exposure::as7341(0.5, 29, 599),
-    Exposure::as7341(1.0, 29, 599),
-    Exposure::as7341(2.0, 29, 599),
-    Exposure::as7341(4.0, 29, 599),
-    Exposure::as7341(8.0, 29, 599),
-    Exposure::as7341(16.0, 29, 599),
-    Exposure::as7341(32.0, 29, 599),
-    Exposure::as7341(64.0, 29, 599),
-    Exposure::as7341(128.0, 29, 599),
-    Exposure::as7341(256.0, 29, 599),
-    Exposure::as7341(512.0, 29, 599),
-    Exposure::as7341(512.0, 59, 599),
-    Exposure::as7341(512.0, 119, 599),
-];

@@ -6,7 +6,7 @@ use crate::sensor::Exposure;
 /// Dark counts of each channel: an offset of the converter, and a dark current that grows with time, gain and
 /// temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dark<const C: usize> {
+pub struct DarkCounts<const C: usize> {
     /// Counts whatever the exposure.
     pub offset: [f32; C],
     /// Counts per millisecond at unit gain, at `measured_at_c`.
@@ -17,7 +17,7 @@ pub struct Dark<const C: usize> {
     pub doubles_every_k: f32,
 }
 
-impl<const C: usize> Dark<C> {
+impl<const C: usize> DarkCounts<C> {
     /// The counts that this exposure has in the dark, at the temperature of the measurement.
     #[must_use]
     pub fn levels(&self, exposure: &Exposure) -> [f32; C] {

@@ -1,7 +1,7 @@
 //! The matrix that turns basic counts into what is asked for.
 
 use crate::color::Xyz;
-use crate::sensor::{BasicCounts, Unusable};
+use crate::sensor::{BasicCounts, ReadingError};
 
 /// `D` sums over `C` channels: counts to XYZ (`D` = 3), to illuminance or PPFD alone (`D` = 1), to anything linear.
 ///
@@ -85,8 +85,8 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     /// For counts in which channels leak: count `i` is the sum over `j` of `crosstalk[i][j]` times the true one.
     ///
     /// # Errors
-    /// [`Singular`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its row.
-    pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, Singular> {
+    /// [`CrosstalkError`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its row.
+    pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, CrosstalkError> {
         // With M the matrix of the leakage and W the rows here, the new rows solve V M = W: Gauss on M's
         // transpose, with the largest pivot of each column.
         let mut m = [[0.0; C]; C];
@@ -130,7 +130,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
                 d += 1;
             }
             if m[k][k].is_nan() || m[k][k].abs() <= 1e-4 {
-                return Err(Singular);
+                return Err(CrosstalkError);
             }
             i = 0;
             while i < C {
@@ -164,37 +164,22 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     }
 }
 
-impl Calibration<3> {
-    /// TI's matrix for the OPT4048: X, Y and Z on a scale of their own, from the codes of channels 0, 1 and 2.
-    ///
-    /// # Reference
-    /// The data sheet's coefficients as Adafruit's driver for this chip has them.
-    pub const OPT4048: Calibration<3> = Calibration([
-        [2.348_929_92e-4, 4.074_674_41e-5, 9.286_194_04e-5],
-        [-1.896_523_90e-5, 1.989_582_02e-4, -1.697_395_53e-5],
-        [1.208_116_84e-5, -1.588_481_15e-5, 6.740_215_20e-4],
-    ]);
-
-    /// Illuminance in lux from the same codes; same source.
-    pub const OPT4048_LUX: Calibration<3, 1> = Calibration([[0.0, 2.15e-3, 0.0]]);
-}
-
 impl<const C: usize> Calibration<C> {
     /// XYZ.
     ///
     /// # Errors
     /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
     #[inline]
-    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, Unusable> {
+    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, ReadingError> {
         positive(self.apply(basic).into())
     }
 }
 
 /// The color, if no sum is negative.
 #[inline]
-pub(super) fn positive(xyz: Xyz) -> Result<Xyz, Unusable> {
+pub(in crate::sensor) fn positive(xyz: Xyz) -> Result<Xyz, ReadingError> {
     if xyz.x < 0.0 || xyz.y < 0.0 || xyz.z < 0.0 {
-        return Err(Unusable::Negative { xyz });
+        return Err(ReadingError::Negative { xyz });
     }
     Ok(xyz)
 }
@@ -211,12 +196,12 @@ impl<const C: usize, const D: usize> defmt::Format for Calibration<C, D> {
 /// Cross-talk that cannot be undone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Singular;
+pub struct CrosstalkError;
 
-impl core::fmt::Display for Singular {
+impl core::fmt::Display for CrosstalkError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str("the cross-talk mixes channels so that they cannot be told apart again")
     }
 }
 
-impl core::error::Error for Singular {}
+impl core::error::Error for CrosstalkError {}

@@ -1,16 +1,17 @@
 //! How long and how strongly amplified a chip counted, and where its counts end.
 
-use crate::sensor::{BasicCounts, Channels, Count, Unusable};
+use crate::sensor::{BasicCounts, Channels, Count, ReadingError};
 
-/// Gain, integration time and the range of trustworthy counts that goes with them.
+/// Gain, integration time and the range of trustworthy counts that goes with them: from the registers of a chip by its
+/// module in [`chip`](crate::sensor::chip), or of any other by [`new`](Self::new).
 ///
 /// ```
-/// # use nanospectra::sensor::{Exposure, Unusable};
+/// # use nanospectra::sensor::{ReadingError, chip::as7341};
 /// // The trap of the AS7341: its converter ends at (ATIME + 1) * (ASTEP + 1), here 18 000 and not 65 535.
-/// let exposure = Exposure::as7341(16.0, 29, 599);
+/// let exposure = as7341::exposure(16.0, 29, 599);
 /// assert_eq!(exposure.full_scale(), 18_000);
 /// let counts: [u16; 2] = [1200, 18_000];
-/// assert!(matches!(exposure.basic_counts(&counts), Err(Unusable::Saturated { channels }) if channels.contains(1)));
+/// assert!(matches!(exposure.basic_counts(&counts), Err(ReadingError::Saturated { channels }) if channels.contains(1)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -39,48 +40,6 @@ impl Exposure {
             full_scale: if full_scale < 0x7fff_ffff { full_scale } else { 0x7fff_ffff },
             floor: 1.0,
         }
-    }
-
-    /// AS7341, AS7343, TCS3448: gain 0.5 to 512 (2048), registers ATIME and ASTEP. The time is
-    /// (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below 65 535.
-    #[must_use]
-    pub const fn as7341(gain: f32, atime: u8, astep: u16) -> Self {
-        let steps = (atime as u32 + 1) * (astep as u32 + 1);
-        Self::new(gain, steps as f32 * 2.78e-3, if steps < 65_535 { steps } else { 65_535 })
-    }
-
-    /// AS7261, AS7262, AS7263, AS7265x: gain 1, 3.7, 16 or 64; the time is `cycles` times 2.8 ms.
-    #[must_use]
-    pub const fn as726x(gain: f32, cycles: u8) -> Self {
-        Self::new(gain, if cycles == 0 { 2.8 } else { cycles as f32 * 2.8 }, 65_535)
-    }
-
-    /// TCS3472x: gain 1, 4, 16 or 60, register ATIME. Each of 256 - ATIME cycles lasts 2.4 ms and fills 1024
-    /// counts. Shorter than 150 ms a light on mains may saturate the cell in its crests while the average does not
-    /// show it (ripple): only 75 % of the full scale are trusted there.
-    ///
-    /// # Reference
-    /// ams DN40, "Lux and CCT calculations using ams color sensors".
-    #[must_use]
-    pub const fn tcs3472(gain: f32, atime: u8) -> Self {
-        let cycles = 256 - atime as u32;
-        let counts = 1024 * cycles;
-        let counts = if counts < 65_535 { counts } else { 65_535 };
-        let ripples = cycles * 24 < 1500;
-        Self::new(gain, cycles as f32 * 2.4, if ripples { counts - counts / 4 } else { counts })
-    }
-
-    /// OPT4048: its codes (mantissa shifted left by the exponent, see [`opt4048_code`](Self::opt4048_code)) do not
-    /// depend on the conversion time; basic counts are the codes themselves.
-    #[must_use]
-    pub const fn opt4048() -> Self {
-        Self::new(1.0, 1.0, 0x000f_ffff << 8)
-    }
-
-    /// The code of an OPT4048 channel: 20 bits of mantissa, 4 bits of exponent (at most 8 in use).
-    #[must_use]
-    pub const fn opt4048_code(mantissa: u32, exponent: u8) -> u32 {
-        (mantissa & 0x000f_ffff) << if exponent < 12 { exponent } else { 12 }
     }
 
     /// The same with another floor: all channels together must count at least `floor` above their dark levels, or
@@ -129,20 +88,20 @@ impl Exposure {
     pub fn basic_counts<T: Count, const C: usize>(
         &self,
         counts: &[T; C],
-    ) -> Result<BasicCounts<C>, Unusable> {
+    ) -> Result<BasicCounts<C>, ReadingError> {
         let (mut total, mut headroom) = (0.0, -1);
         for count in counts {
             headroom &= count.headroom(self.full_scale);
             total += count.to_f32();
         }
         if headroom >= 0 || total < self.floor {
-            return Err(Unusable::because(counts, self.full_scale));
+            return Err(ReadingError::because(counts, self.full_scale));
         }
         Ok(BasicCounts::new(counts.map(|count| count.to_f32() * self.per_count)))
     }
 
     /// The same above a dark level of each channel, in counts of this exposure: a frame taken in the dark, or
-    /// [`Dark::levels`](crate::sensor::Dark::levels).
+    /// [`DarkCounts::levels`](crate::sensor::DarkCounts::levels).
     ///
     /// A channel below its dark level becomes negative and stays so: cutting it off would brighten dark averages.
     ///
@@ -153,7 +112,7 @@ impl Exposure {
         &self,
         dark_levels: &[f32; C],
         counts: &[T; C],
-    ) -> Result<BasicCounts<C>, Unusable> {
+    ) -> Result<BasicCounts<C>, ReadingError> {
         let (mut total, mut headroom) = (0.0, -1);
         let mut basic = [0.0; C];
         for ((out, count), level) in basic.iter_mut().zip(counts).zip(dark_levels) {
@@ -163,7 +122,7 @@ impl Exposure {
             *out = value * self.per_count;
         }
         if headroom >= 0 || total < self.floor {
-            return Err(Unusable::because(counts, self.full_scale));
+            return Err(ReadingError::because(counts, self.full_scale));
         }
         Ok(BasicCounts::new(basic))
     }

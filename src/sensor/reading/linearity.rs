@@ -67,23 +67,23 @@ impl DeadTime {
 /// Photodiodes near saturation, amplifiers, converters.
 ///
 /// ```
-/// use nanospectra::sensor::Bend;
+/// use nanospectra::sensor::Nonlinearity;
 /// // Reads 2 % too little at full scale.
-/// let bend = Bend::new([-0.02]).unwrap();
+/// let bend = Nonlinearity::new([-0.02]).unwrap();
 /// assert!((bend.read(0.5) - 0.495).abs() < 1e-7);
 /// assert!((bend.signal(0.495).unwrap() - 0.5).abs() < 1e-7);
 /// assert_eq!(bend.signal(1.01), None); // above full scale
-/// assert_eq!(Bend::new([-0.6]), None); // would fall before full scale
+/// assert_eq!(Nonlinearity::new([-0.6]), None); // would fall before full scale
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bend<const K: usize> {
+pub struct Nonlinearity<const K: usize> {
     coefficients: [f32; K],
 }
 
 /// The bracket halves each time that Newton's step leaves it, and 24 halvings are all the digits there are.
 const STEPS: usize = 32;
 
-impl<const K: usize> Bend<K> {
+impl<const K: usize> Nonlinearity<K> {
     /// From the coefficients of x^2, x^3 ..; `None` if one is not finite or if the response does not rise everywhere
     /// in 0..=1.
     ///
@@ -91,7 +91,7 @@ impl<const K: usize> Bend<K> {
     /// it changes; so a response whose slope comes within some thousandths of zero may be refused too.
     #[must_use]
     pub const fn new(coefficients: [f32; K]) -> Option<Self> {
-        let bend = Bend { coefficients };
+        let bend = Nonlinearity { coefficients };
         // How fast the slope can change at most: sum of k (k - 1) |c_k|.
         let (mut change, mut k) = (0.0, 0);
         while k < K {

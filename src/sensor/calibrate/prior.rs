@@ -1,7 +1,7 @@
 //! What spectra are usually like: how their bins vary together.
 
 use crate::grid::Grid;
-use crate::sensor::vector::{largest, sqrt};
+use crate::sensor::calibrate::vector::{largest, sqrt};
 use crate::spectrum::Light;
 
 /// How the bins of these lights vary together, each light scaled to a mean of 1: the mean of their products.

@@ -157,10 +157,10 @@ impl Exposure {
     /// Whether a reading averages a flicker of `frequency_hz`: not more than 0.5 % of it is left.
     ///
     /// ```
-    /// # use nanospectra::sensor::{Exposure, MAINS_FLICKER_HZ};
-    /// let exposure = Exposure::as7341(16.0, 29, 599); // 50.04 ms
+    /// # use nanospectra::sensor::{MAINS_FLICKER_HZ, chip::as7341};
+    /// let exposure = as7341::exposure(16.0, 29, 599); // 50.04 ms
     /// assert!(MAINS_FLICKER_HZ.iter().all(|hz| exposure.averages(*hz)));
-    /// assert!(!Exposure::as7341(16.0, 29, 499).averages(100.0)); // 41.7 ms
+    /// assert!(!as7341::exposure(16.0, 29, 499).averages(100.0)); // 41.7 ms
     /// ```
     #[must_use]
     pub fn averages(&self, frequency_hz: f32) -> bool {

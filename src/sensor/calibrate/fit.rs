@@ -1,8 +1,8 @@
 //! Calibration by measured patches: the matrix from counts to XYZ that is least wrong on them.
 
 use crate::color::Xyz;
-use crate::sensor::qr::{Triangle, condition, forward};
-use crate::sensor::vector::{dot, largest, norm, sqrt};
+use crate::sensor::calibrate::qr::{Triangle, condition, forward};
+use crate::sensor::calibrate::vector::{dot, largest, norm, sqrt};
 use crate::sensor::{BasicCounts, Calibration};
 use core::fmt;
 
