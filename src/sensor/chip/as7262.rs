@@ -4,8 +4,8 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// From the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255 (0 counts as 1). The
-/// AS7261 and the AS7263 have the same rule.
+/// From the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255 (0 counts as 1): the rule of
+/// the AS7261, AS7263 and AS7265x too.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7262;
@@ -26,14 +26,7 @@ ladder! {
     /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 3 and 11 ms below that for glaring light, 100 and
     /// 200 ms above it.
     [(f32, u8); 8]:
-    (1.0, 1),
-    (1.0, 4),
-    (1.0, 18),
-    (3.7, 18),
-    (16.0, 18),
-    (64.0, 18),
-    (64.0, 36),
-    (64.0, 72),
+    (1.0, 1), (1.0, 4), (1.0, 18), (3.7, 18), (16.0, 18), (64.0, 18), (64.0, 36), (64.0, 72),
 }
 
 /// Six bands of 40 nm from 450 to 650 nm, as Gaussians;

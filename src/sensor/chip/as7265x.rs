@@ -2,9 +2,10 @@
 
 use crate::grid::Nodes;
 use crate::observer::Observer;
-pub use crate::sensor::chip::as7262::{GAINS, exposure};
+use crate::sensor::chip::as7262::STEPS;
+pub use crate::sensor::chip::as7262::{GAINS, LADDER, LADDER_SETTINGS, exposure};
 use crate::sensor::chip::{Chip, Nominal, Setting};
-use crate::sensor::{Exposure, gaussian_responsivities};
+use crate::sensor::gaussian_responsivities;
 use crate::spectrum::Power;
 
 /// The peaks in nm: by wavelength, which is not the order in which the three dies are read.
@@ -12,20 +13,6 @@ pub static CHANNELS: [&str; 18] = [
     "410", "435", "460", "485", "510", "535", "560", "585", "610", "645", "680", "705", "730", "760", "810",
     "860", "900", "940",
 ];
-
-ladder! {
-    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 3 and 11 ms below that for glaring light, 100 and
-    /// 200 ms above it.
-    [(f32, u8); 8]:
-    (1.0, 1),
-    (1.0, 4),
-    (1.0, 18),
-    (3.7, 18),
-    (16.0, 18),
-    (64.0, 18),
-    (64.0, 36),
-    (64.0, 72),
-}
 
 /// 18 bands of 20 nm from 410 to 940 nm, in the order of [`CHANNELS`], as Gaussians;
 /// [not your chip's own](crate::sensor::chip#nominal-responsivities).

@@ -47,7 +47,7 @@ macro_rules! ladder {
         /// What [`exposure`] takes for each exposure of [`LADDER`].
         pub static LADDER_SETTINGS: [$settings; $length] = [$(($($setting),+)),+];
 
-        static STEPS: [&[f32]; $length] = [$(&[$($setting as f32),+]),+];
+        pub(in crate::sensor::chip) static STEPS: [&[f32]; $length] = [$(&[$($setting as f32),+]),+];
     };
 }
 

@@ -35,14 +35,7 @@ ladder! {
     /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 2 and 14 ms below that for glaring light, 200 and
     /// 614 ms above it.
     [(f32, u8); 8]:
-    (1.0, 255),
-    (1.0, 250),
-    (1.0, 235),
-    (4.0, 235),
-    (16.0, 235),
-    (60.0, 235),
-    (60.0, 172),
-    (60.0, 0),
+    (1.0, 255), (1.0, 250), (1.0, 235), (4.0, 235), (16.0, 235), (60.0, 235), (60.0, 172), (60.0, 0),
 }
 
 /// The same as data.
