@@ -1,11 +1,11 @@
-//! An exposure, a dark level and a calibration in one: raw counts to color in one pass.
+//! A light meter: raw counts to color in one pass over the channels.
 
 use crate::color::Xyz;
 use crate::sensor::calibrate::positive;
 use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 
-/// What is fixed about a light meter, folded: with the exposure in the weights and the dark level in the sums they
-/// start from, a count is converted, checked and weighted, and that is all.
+/// A light meter: exposure, dark level and calibration folded into one matrix, so that a count is only converted,
+/// checked and multiplied.
 ///
 /// For an instrument whose exposure stays (or one `Meter` for each of a few); the same numbers, to rounding, come
 /// from [`Exposure::basic_counts`] and [`Calibration::xyz`] step by step.
@@ -30,7 +30,7 @@ pub struct Meter<const C: usize> {
 }
 
 impl<const C: usize> Meter<C> {
-    /// A meter that reads with this exposure.
+    /// A meter for readings with this exposure.
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Self {
         let mut columns = [[0.0; 3]; C];
@@ -46,7 +46,7 @@ impl<const C: usize> Meter<C> {
         Meter { columns, start: [0.0; 3], full_scale: exposure.full_scale(), floor: exposure.floor() }
     }
 
-    /// One that reads above these dark levels, in counts of the exposure.
+    /// A meter that first takes these dark levels, in counts of the exposure, off each channel.
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,
@@ -67,7 +67,7 @@ impl<const C: usize> Meter<C> {
         meter
     }
 
-    /// The same with every result times `k`, when one reading is known: what a lux meter says over Y here.
+    /// The same meter with every result multiplied by `k`: what a lux meter reads, divided by this meter's Y.
     ///
     /// ```
     /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
@@ -93,7 +93,7 @@ impl<const C: usize> Meter<C> {
         self
     }
 
-    /// XYZ.
+    /// The tristimulus values of one reading.
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below

@@ -1,4 +1,4 @@
-//! Mini-spectrometers: from pixels to bins.
+//! Mini-spectrometers: from the counts of pixels to the bins of a grid.
 
 use crate::grid::Grid;
 use crate::sensor::Count;
@@ -6,7 +6,7 @@ use crate::spectrum::{PerBin, Spectrum};
 use core::fmt;
 use core::ops::Range;
 
-/// Where the `P` pixels of one spectrometer lie: the polynomial with `K` coefficients from its certificate
+/// The wavelengths of the `P` pixels of one spectrometer, by the polynomial with `K` coefficients from its certificate
 /// (six, of fifth order, for a C12880MA), in nm.
 ///
 /// ```
@@ -43,9 +43,9 @@ pub enum FirstPixel {
 /// Pixel counts put into the bins of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rebinned<const N: usize, G> {
-    /// What each bin received.
+    /// The counts in each bin.
     pub counts: Spectrum<PerBin, N, G>,
-    /// What fell outside the grid.
+    /// The counts that fell outside the grid.
     pub outside: f32,
 }
 
@@ -54,8 +54,8 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
     /// pixel p.
     ///
     /// # Errors
-    /// [`PixelWavelengthsError`] with the first pixel whose upper edge is not above its lower one: a mistyped coefficient,
-    /// an exponent lost, the order reversed, or NaN.
+    /// [`PixelWavelengthsError`] with the first pixel whose upper edge is not above its lower one: a mistyped
+    /// coefficient, an exponent lost, the order reversed, or NaN.
     pub const fn new(coefficients: [f32; K], first: FirstPixel) -> Result<Self, PixelWavelengthsError> {
         let unit = PixelWavelengths { coefficients, first };
         let mut pixel = 0;
@@ -172,7 +172,7 @@ pub fn above_dark_pixels<T: Count, const P: usize>(
     Some(counts.map(|count| count.to_f32() - level))
 }
 
-/// A polynomial that does not rise from pixel to pixel.
+/// Why a polynomial was refused: its wavelengths do not rise from pixel to pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelWavelengthsError {

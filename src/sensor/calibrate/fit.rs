@@ -50,7 +50,7 @@ impl<const C: usize, const D: usize> Default for Fit<C, D> {
 }
 
 impl<const C: usize, const D: usize> Fit<C, D> {
-    /// No patches yet.
+    /// A fit without patches.
     #[must_use]
     pub const fn new() -> Self {
         Fit { triangle: Triangle::new(), patches: 0 }
@@ -74,13 +74,13 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         self.patches = self.patches.saturating_add(1);
     }
 
-    /// How many patches are in it.
+    /// The number of patches that were added.
     #[must_use]
     pub const fn patches(&self) -> u32 {
         self.patches
     }
 
-    /// The matrix with the least squares on the patches.
+    /// The calibration whose weighted squared errors on the patches are least.
     ///
     /// # Errors
     /// `TooFew` patches for `C` channels; `IllConditioned` if the patches do not tell the channels apart, so
@@ -109,7 +109,7 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         rms
     }
 
-    /// What a fit without this patch is wrong by on it (its result minus `target`): the honest error of this
+    /// The error on this patch of a fit made without it (result minus `target`): the honest error of this
     /// calibration on a light it has not seen. The patch must be one that was added, with the same weight.
     ///
     /// Needs no second fit: the error of the full fit over 1 - h, where the leverage h says how much of the
@@ -211,7 +211,7 @@ const fn finite<const C: usize, const D: usize>(rows: [[f32; C]; D]) -> Result<C
     Ok(Calibration::from_rows(rows))
 }
 
-/// Why there is no calibration and no spectrum.
+/// Why no calibration or spectrum could be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

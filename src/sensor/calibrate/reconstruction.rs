@@ -1,4 +1,4 @@
-//! From a few counts to a spectrum: the likeliest one, as a matrix.
+//! Reconstruction: the matrix from the counts of a few channels to the likeliest spectrum.
 
 use crate::grid::Grid;
 use crate::observer::Observer;
@@ -11,8 +11,8 @@ use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::rows;
 use core::marker::PhantomData;
 
-/// The damping to begin with: the variance of the noise over the variance that the channels' signals would have if
-/// every bin varied for itself.
+/// The damping `alpha` to begin with: the variance of the noise over the variance that the channels' signals would
+/// have if every bin varied for itself.
 ///
 /// For a sensor like the AS7341 every smaller value gives the same RMS error of reflectances, 0.013, within 1.4 %,
 /// and only amplifies the noise of the counts; in f32, normal equations (which this crate does not use) fail below

@@ -7,7 +7,7 @@ use crate::spectrum::Power;
 use ResponsivityErrorKind as Kind;
 use core::fmt;
 
-/// The sensor whose responsivities stand in this CSV text, for [`include_str!`]: read while compiling, so that
+/// Reads a sensor's responsivities from CSV text, as of [`include_str!`], while compiling, so that
 /// the program has the weights and not the text, and a wrong table does not build.
 ///
 /// One row for each node of the grid `G`, in order and complete: the wavelength in nm, then `C` columns,
@@ -49,7 +49,7 @@ pub const fn responsivities<const C: usize, const N: usize, G: Grid>(csv: &str) 
     }
 }
 
-/// The same for a text that is known only at run time.
+/// Reads responsivities from CSV text that is known only at run time.
 ///
 /// # Errors
 /// The line, counted from 1, and what is wrong with it.

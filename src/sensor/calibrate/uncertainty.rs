@@ -1,4 +1,5 @@
-//! How far a result may be off by chance: the noise of the counts, carried through to X, Y, Z, color temperature and Duv.
+//! How far a result may be off by chance: the noise of the counts, carried through to X, Y, Z, color temperature and
+//! Duv.
 
 use crate::color::{Cct, Uv1960, Xyz};
 use crate::sensor::reading::root;
@@ -15,7 +16,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
 }
 
 impl<const C: usize> Calibration<C> {
-    /// How X, Y and Z of a reading vary, together: they share channels.
+    /// The covariance of X, Y and Z of a reading, which vary together because they share channels.
     #[must_use]
     pub fn covariance(&self, variances: &Variances<C>) -> XyzCovariance {
         let [x, y, z] = self.rows();
@@ -34,7 +35,7 @@ fn mixed<const C: usize>(a: &[f32; C], b: &[f32; C], variances: &Variances<C>) -
     a.iter().zip(b).zip(&variances.to_array()).map(|((a, b), variance)| a * b * variance).sum()
 }
 
-/// How X, Y and Z vary together: the symmetric matrix of their covariances, in the units of XYZ squared.
+/// The covariance matrix of X, Y and Z, in the units of XYZ squared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct XyzCovariance {

@@ -4,8 +4,8 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// From the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255 (0 counts as 1): the rule of
-/// the AS7261, AS7263 and AS7265x too.
+/// From the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255 (0 counts as 1): the rule
+/// of the AS7261, AS7263 and AS7265x too.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7262;

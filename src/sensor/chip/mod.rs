@@ -29,9 +29,9 @@
 //!
 //! They are Gaussians with the peaks and widths of data sheets, *not* the chip on your bus, and each is 1 at its peak.
 //! Real peaks lie 5 to 10 nm beside the nominal ones (users have measured 410, 440, 470, 510, 550, 583, 620 and 670 nm
-//! for the AS7341), real curves are no Gaussians, and every channel leaks a little infrared. They serve for simulation,
-//! for tests and for a first look; a measured table ([`responsivities`](crate::sensor::responsivities)) or measured
-//! patches ([`Fit`](crate::sensor::Fit)) make an instrument.
+//! for the AS7341), real curves are no Gaussians, and every channel leaks a little infrared. They serve for
+//! simulation, for tests and for a first look; a measured table ([`responsivities`](crate::sensor::responsivities)) or
+//! measured patches ([`Fit`](crate::sensor::Fit)) make an instrument.
 
 use crate::grid::{Grid, Nodes};
 use crate::observer::{Curve, Observer};

@@ -3,7 +3,8 @@
 use crate::sensor::fixed::FixedXyz;
 use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 
-/// [`Meter`](crate::sensor::Meter) in integers: exposure, dark level and calibration in weights of 31 bits.
+/// A light meter in integers: the exposure, dark level and calibration of a [`Meter`](crate::sensor::Meter) as weights
+/// of 31 bits.
 ///
 /// # Accuracy
 /// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight were
@@ -28,7 +29,7 @@ pub struct FixedMeter<const C: usize> {
 const LARGEST_SUM: f64 = (1_u32 << 30) as f64;
 
 impl<const C: usize> FixedMeter<C> {
-    /// A meter that reads with this exposure; `None` if all weights are zero, one is no number, or they are
+    /// A meter for readings with this exposure; `None` if all weights are zero, one is no number, or they are
     /// beyond 1e-15..1e15 or so of what is usual. For `const` use:
     /// it computes in f64.
     #[must_use]
@@ -36,7 +37,8 @@ impl<const C: usize> FixedMeter<C> {
         Self::new_above(exposure, &[0.0; C], calibration)
     }
 
-    /// One that reads above these dark levels, in counts of the exposure; `None` too if one is not within 0..=65 535.
+    /// A meter that first takes these dark levels, in counts of the exposure, off each channel; `None` too if one is
+    /// not within 0..=65 535.
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,
@@ -93,7 +95,7 @@ impl<const C: usize> FixedMeter<C> {
         Some(FixedMeter { columns, start, fraction, full_scale, floor: ceiling(total) })
     }
 
-    /// XYZ.
+    /// The tristimulus values of one reading.
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below

@@ -1,4 +1,4 @@
-//! What a chip returns, and why a reading may be no measurement.
+//! Raw counts, and the reasons why a reading may be no measurement.
 
 use crate::color::Xyz;
 
@@ -86,7 +86,7 @@ impl Channels {
         channel < 32 && self.0 >> channel & 1 == 1
     }
 
-    /// How many there are.
+    /// The number of channels in the set.
     #[must_use]
     pub const fn count(self) -> u32 {
         self.0.count_ones()
@@ -99,7 +99,7 @@ impl Channels {
     }
 }
 
-/// Why a reading says nothing about the light.
+/// Why a reading cannot be turned into a color.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

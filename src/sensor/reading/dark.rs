@@ -1,4 +1,4 @@
-//! What a chip counts in the dark.
+//! The counts that a chip has in the dark.
 
 use crate::math::Math;
 use crate::sensor::Exposure;
@@ -7,7 +7,7 @@ use crate::sensor::Exposure;
 /// temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DarkCounts<const C: usize> {
-    /// Counts whatever the exposure.
+    /// Counts that do not depend on the exposure.
     pub offset: [f32; C],
     /// Counts per millisecond at unit gain, at `measured_at_c`.
     pub rate: [f32; C],
@@ -24,7 +24,7 @@ impl<const C: usize> DarkCounts<C> {
         self.grown(exposure, 1.0)
     }
 
-    /// The same at another temperature; `M` provides the exponential.
+    /// The counts that this exposure has in the dark at another temperature; `M` provides the exponential.
     #[must_use]
     pub fn levels_at_with<M: Math>(&self, exposure: &Exposure, celsius: f32) -> [f32; C] {
         let doublings = (celsius - self.measured_at_c) / self.doubles_every_k;

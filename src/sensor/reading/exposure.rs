@@ -1,4 +1,4 @@
-//! How long and how strongly amplified a chip counted, and where its counts end.
+//! Exposures: gain, integration time, and the count from which a channel is saturated.
 
 use crate::sensor::{BasicCounts, Channels, Count, ReadingError};
 
@@ -25,7 +25,10 @@ pub struct Exposure {
 }
 
 impl Exposure {
-    /// Any chip: `gain` and `time_ms` above zero (with others, or a product that overflows, every reading is NaN), and the first count that cannot be trusted any more (below 2^31).
+    /// An exposure of any chip: its gain, its integration time in ms, and the first count that cannot be trusted any
+    /// more (below 2^31).
+    ///
+    /// Gain and time are above zero; with others, or a product that overflows, every reading is NaN.
     ///
     /// A reading is too dark when all channels together count less than 1 above their dark levels; see
     /// [`with_floor`](Self::with_floor).
@@ -42,20 +45,20 @@ impl Exposure {
         }
     }
 
-    /// The same with another floor: all channels together must count at least `floor` above their dark levels, or
-    /// the reading is too dark.
+    /// The same exposure with another floor: all channels together must count at least `floor` above their dark
+    /// levels, or the reading is too dark.
     #[must_use]
     pub const fn with_floor(self, floor: f32) -> Self {
         Exposure { floor, ..self }
     }
 
-    /// Amplification, in the chip's own units.
+    /// The gain, as a factor.
     #[must_use]
     pub const fn gain(&self) -> f32 {
         self.gain
     }
 
-    /// Integration time, in ms.
+    /// The integration time, in ms.
     #[must_use]
     pub const fn time_ms(&self) -> f32 {
         self.time_ms
@@ -67,19 +70,19 @@ impl Exposure {
         self.full_scale
     }
 
-    /// What all channels together must count above their dark levels.
+    /// The least that all channels together must count above their dark levels.
     #[must_use]
     pub const fn floor(&self) -> f32 {
         self.floor
     }
 
-    /// Basic counts of one count: 1 / (gain time), per ms.
+    /// The basic counts that one count stands for: 1 / (gain * time), per ms.
     #[must_use]
     pub const fn per_count(&self) -> f32 {
         self.per_count
     }
 
-    /// Raw counts to counts per millisecond at unit gain.
+    /// Converts raw counts to counts per millisecond at unit gain.
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale, `TooDark` if they do not reach the floor together. A NaN count
@@ -100,8 +103,8 @@ impl Exposure {
         Ok(BasicCounts::new(counts.map(|count| count.to_f32() * self.per_count)))
     }
 
-    /// The same above a dark level of each channel, in counts of this exposure: a frame taken in the dark, or
-    /// [`DarkCounts::levels`](crate::sensor::DarkCounts::levels).
+    /// Converts raw counts above the dark level of each channel, in counts of this exposure: a frame taken in the
+    /// dark, or [`DarkCounts::levels`](crate::sensor::DarkCounts::levels).
     ///
     /// A channel below its dark level becomes negative and stays so: cutting it off would brighten dark averages.
     ///

@@ -1,4 +1,4 @@
-//! What comes after the eye and is no sum any more: readings that fall short of the light as it grows.
+//! Read-outs that are not linear: what they report falls short of the light as it grows.
 //!
 //! A path and an observer are linear, so both fold; a read-out is not, and never does. It is applied to what the
 //! observer sees, channel by channel, and undone on what a chip reports before anything else is.
@@ -26,7 +26,7 @@ pub struct DeadTime {
 }
 
 impl DeadTime {
-    /// Busy for so many seconds after each event; fewer than zero count as zero. NaN stays NaN.
+    /// A counter that is busy for so many seconds after each event; a negative time counts as zero. NaN stays NaN.
     #[must_use]
     pub const fn new(seconds: f32) -> Self {
         DeadTime { seconds: if seconds < 0.0 { 0.0 } else { seconds } }
@@ -47,8 +47,8 @@ impl DeadTime {
         arriving / (1.0 + busy)
     }
 
-    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where any number
-    /// may have arrived. NaN stays NaN.
+    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where any
+    /// number may have arrived. NaN stays NaN.
     ///
     /// # Accuracy
     /// There and back 2 units in the last place while a sixth of the time is dead at most, 4 up to half of it; close
@@ -63,8 +63,8 @@ impl DeadTime {
     }
 }
 
-/// A response that bends: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`, rising throughout.
-/// Photodiodes near saturation, amplifiers, converters.
+/// A response that is not linear: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`, rising
+/// throughout. Photodiodes near saturation, amplifiers, converters.
 ///
 /// ```
 /// use nanospectra::sensor::Nonlinearity;
@@ -113,7 +113,7 @@ impl<const K: usize> Nonlinearity<K> {
         Some(bend)
     }
 
-    /// What is read of `signal`, 0..=1.
+    /// The reading of `signal`, which is 0..=1.
     #[must_use]
     #[inline]
     pub const fn read(&self, signal: f32) -> f32 {

@@ -1,9 +1,9 @@
-//! How far counts may be off by chance.
+//! The noise of counts.
 
 use crate::math::sqrt;
 use crate::sensor::{BasicCounts, Count, Exposure};
 
-/// How noisy the counts of a chip are. Neither number is in most data sheets: repeat a reading of a steady lamp,
+/// The noise of a chip's counts. Neither number is in most data sheets: repeat a reading of a steady lamp,
 /// and one in the dark, and fit the variances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -48,19 +48,19 @@ impl Noise {
 pub struct Variances<const C: usize>([f32; C]);
 
 impl<const C: usize> Variances<C> {
-    /// From variances of basic counts: of repeated readings, say.
+    /// Takes variances of basic counts, of repeated readings for example.
     #[must_use]
     pub const fn new(variances: [f32; C]) -> Self {
         Variances(variances)
     }
 
-    /// One for each channel, in (counts per ms at unit gain) squared.
+    /// The variance of each channel, in (counts per ms at unit gain) squared.
     #[must_use]
     pub const fn to_array(self) -> [f32; C] {
         self.0
     }
 
-    /// With another cause of noise that is independent of this one: of the dark frame that was taken off.
+    /// Adds the variances of another, independent cause of noise, such as the dark frame that was taken off.
     #[must_use]
     pub fn plus(mut self, other: &Variances<C>) -> Self {
         for (variance, more) in self.0.iter_mut().zip(&other.0) {
@@ -69,7 +69,7 @@ impl<const C: usize> Variances<C> {
         self
     }
 
-    /// Of the mean of `readings` such readings, 1 or more.
+    /// The variances of the mean of `readings` such readings, 1 or more.
     #[must_use]
     pub fn of_mean(mut self, readings: u16) -> Self {
         for variance in &mut self.0 {

@@ -1,11 +1,11 @@
-//! Which exposure to take next.
+//! Auto-exposure: which exposure to take for the next reading.
 
 use crate::sensor::{Count, Exposure};
 
 /// A channel that has just saturated would still count this much after the step down: enough to predict from it.
 const AFTER_SATURATION: f32 = 64.0;
 
-/// Advice for the next reading, from a ladder of exposures: the most sensitive one whose brightest channel will
+/// Auto-exposure on a ladder of exposures: advises the most sensitive one whose brightest channel will
 /// stay below a target share of full scale.
 ///
 /// ```
@@ -24,7 +24,7 @@ pub struct AutoExposure<'a> {
     target: f32,
 }
 
-/// What to do next.
+/// The exposure that is advised for the next reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Advice {
@@ -36,7 +36,7 @@ pub struct Advice {
 }
 
 impl<'a> AutoExposure<'a> {
-    /// With a ladder from the least to the most sensitive exposure, and a target of 0.8 of full scale.
+    /// Takes a ladder from the least to the most sensitive exposure; the target is 0.8 of full scale.
     ///
     /// # Errors
     /// [`LadderError`]: no exposure at all, one that cannot count, one not more sensitive (gain times time) than
@@ -63,8 +63,8 @@ impl<'a> AutoExposure<'a> {
         if index == 0 { Err(LadderError::Empty) } else { Ok(AutoExposure { ladder, target: 0.8 }) }
     }
 
-    /// With another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end), that the brightest
-    /// channel shall stay below. It moves to less only above (1 + target) / 2, so that it does not swing.
+    /// The same ladder with another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end), that the
+    /// brightest channel shall stay below. It moves to less only above (1 + target) / 2, so that it does not swing.
     #[must_use]
     pub const fn with_target(self, share: f32) -> Self {
         let target = if share > 0.9 {
@@ -92,10 +92,10 @@ impl<'a> AutoExposure<'a> {
 
     /// The next place, from the raw counts of a reading at the place `in_use`.
     ///
-    /// A light that does not change is found in four readings, wherever it begins, on a ladder like [`as7341::LADDER`](crate::sensor::chip::as7341::LADDER)
-    /// (full scales of thousands of counts, steps of up to 8): saturated ones step down until
-    /// 64 counts would be left of a full scale, and what is then counted tells the rest. With NaN among the counts
-    /// it stays.
+    /// A light that does not change is found in four readings, wherever it begins, on a ladder like the
+    /// [AS7341's](crate::sensor::chip::as7341::LADDER) (full scales of thousands of counts, steps of up to 8):
+    /// saturated readings step down until 64 counts would be left of a full scale, and what is then counted tells the
+    /// rest. With NaN among the counts it stays.
     #[must_use]
     pub fn advise<T: Count, const C: usize>(&self, in_use: usize, counts: &[T; C]) -> Advice {
         let in_use = in_use.min(self.ladder.len().saturating_sub(1));
