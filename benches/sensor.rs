@@ -9,16 +9,14 @@ use nanospectra::sensor::{
     BasicCounts, Calibration, DEFAULT_ALPHA, Exposure, Fit, Meter, Reconstruction, chip::as7341,
     nonnegative_spectrum,
 };
-use nanospectra::{Curve, Light, Nodes, Observer, Power};
+use nanospectra::{Curve, Light, Nodes, Observer, Power, const_unwrap};
 use std::hint::black_box;
 
 type Grid = Nodes<400, 700>;
 static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
-static SPECTRUM: Reconstruction<8, 31, Grid> = match Reconstruction::smooth(&CHIP, 0.95, DEFAULT_ALPHA) {
-    Ok(spectrum) => spectrum,
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+static SPECTRUM: Reconstruction<8, 31, Grid> =
+    const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, DEFAULT_ALPHA));
 static TO_XYZ: Calibration<8> = SPECTRUM.seen_by(&EYE);
 const EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 static METER: Meter<8> = Meter::new(&EXPOSURE, &TO_XYZ);

@@ -6,7 +6,7 @@
 
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError, Reconstruction, chip::as7341};
-use nanospectra::{Curve, Nodes, Observer, Power};
+use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 
 type Grid = Nodes<400, 700>;
 
@@ -15,10 +15,7 @@ static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 
 /// From counts to the smoothest spectrum behind them and on to XYZ: a matrix of 96 bytes, made by the compiler.
-static TO_XYZ: Calibration<8> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
-    Ok(spectrum) => spectrum.seen_by(&EYE),
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+static TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 /// Gain 16, registers ATIME 29 and ASTEP 599: 50 ms, and full scale is 18000 counts.
 static EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 

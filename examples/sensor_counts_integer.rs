@@ -6,17 +6,14 @@
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter};
 use nanospectra::sensor::{Calibration, ReadingError, Reconstruction, chip::as7341};
-use nanospectra::{Curve, Nodes, Observer, Power};
+use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 
 type Grid = Nodes<400, 700>;
 
 /// The chip by its data sheet, the eye, and the way from counts to XYZ; all floats end with the compiler.
 const CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 const EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
-const TO_XYZ: Calibration<8> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
-    Ok(spectrum) => spectrum.seen_by(&EYE),
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+const TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 
 /// Gain 16 and 50 ms; Y in lux by the factor that the example `sensor_counts` finds. What lies in flash is this.
 static METER: FixedMeter<8> =

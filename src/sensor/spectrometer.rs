@@ -12,13 +12,10 @@ use core::ops::Range;
 /// ```
 /// use nanospectra::sensor::{FirstPixel, PixelWavelengths};
 /// // A C12880MA; its sheet counts pixels from 1.
-/// static UNIT: PixelWavelengths<288> = match PixelWavelengths::new(
+/// static UNIT: PixelWavelengths<288> = nanospectra::const_unwrap!(PixelWavelengths::new(
 ///     [3.102_449e2, 2.683_674, -1.121_367e-3, -6.962_632e-6, 8.478_353e-9, 5.208_724e-12],
 ///     FirstPixel::One,
-/// ) {
-///     Ok(unit) => unit,
-///     Err(_) => panic!("a coefficient is mistyped"),
-/// };
+/// ));
 /// assert!((UNIT.nm(0) - 312.93).abs() < 0.01);
 /// ```
 ///
@@ -180,13 +177,17 @@ pub struct PixelWavelengthsError {
     pub pixel: usize,
 }
 
+impl PixelWavelengthsError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        "the wavelengths of pixels do not rise: check the coefficients, their exponents and their order"
+    }
+}
+
 impl fmt::Display for PixelWavelengthsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the wavelengths do not rise at pixel {}: check the coefficients, their exponents and their order",
-            self.pixel
-        )
+        write!(f, "{} (pixel {})", self.message(), self.pixel)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 29] = [
+const REFUSED: [(&str, &str, &[&str]); 30] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -84,6 +84,13 @@ const REFUSED: [(&str, &str, &[&str]); 29] = [
             println!(\"{:?}\", meter.xyz(&[18_000; 8]));
         }",
         &["`i32` is no raw count", "[18_000_u16; 8]"],
+    ),
+    (
+        "has_no_exposures",
+        "use nanospectra::{const_unwrap, sensor::AutoExposure};
+        static AUTO: AutoExposure<'static> = const_unwrap!(AutoExposure::new(&[]));
+        fn main() { println!(\"{:?}\", AUTO); }",
+        &["no exposure to choose from"],
     ),
     (
         "ends_before_it_starts",

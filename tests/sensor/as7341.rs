@@ -10,7 +10,7 @@ use nanospectra::light;
 use nanospectra::matter::CES;
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::sensor::{BasicCounts, Calibration, DEFAULT_ALPHA, Fit, Reconstruction, chip::as7341};
-use nanospectra::{Curve, Fine, Interpolation, Nodes, Observer, Outside, Power};
+use nanospectra::{Curve, Fine, Interpolation, Nodes, Observer, Outside, Power, const_unwrap};
 
 /// The chip of the simulation: the converter ends at 18 000 counts after 50 ms.
 const ATIME: u8 = 29;
@@ -89,10 +89,7 @@ static BY_SPECTRUM: Calibration<8> = {
     type Grid = Nodes<380, 730>;
     let chip: Observer<8, 36, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
     let eye: Observer<3, 36, Power, Grid> = CIE_1931.fold(Curve::Step);
-    match Reconstruction::smooth(&chip, 0.95, DEFAULT_ALPHA) {
-        Ok(spectrum) => spectrum.seen_by(&eye).scaled(KM / PER_WATT),
-        Err(_) => panic!("eight channels that differ"),
-    }
+    const_unwrap!(Reconstruction::smooth(&chip, 0.95, DEFAULT_ALPHA)).seen_by(&eye).scaled(KM / PER_WATT)
 };
 
 /// Errors of lux and of CCT in per cent; no CCT for lights that are not near the locus.

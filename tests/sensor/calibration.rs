@@ -8,7 +8,7 @@ use model::sensor::{self, wide};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, chip::as7341};
-use nanospectra::{Interpolation, Outside, light};
+use nanospectra::{Interpolation, Outside, const_unwrap, light};
 use proptest::prelude::*;
 
 /// Counts, what they should come to, and the weight.
@@ -317,10 +317,7 @@ static FITTED: Calibration<2, 1> = {
     fit.add(&BasicCounts::new([1.0, 0.0]), [3.0], 1.0);
     fit.add(&BasicCounts::new([0.0, 1.0]), [2.0], 1.0);
     fit.add(&BasicCounts::new([1.0, 1.0]), [5.0], 1.0);
-    match fit.solve() {
-        Ok(matrix) => matrix,
-        Err(_) => panic!("two channels, three patches"),
-    }
+    const_unwrap!(fit.solve())
 };
 
 #[test]

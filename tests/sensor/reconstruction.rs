@@ -12,7 +12,9 @@ use nanospectra::sensor::{
     BasicCounts, Calibration, DEFAULT_ALPHA, FitError, Reconstruction, chip::as7341, covariance_of,
     gaussian_responsivities, nonnegative_spectrum,
 };
-use nanospectra::{Curve, FineObserver, Interpolation, Light, Nodes, Observer, Outside, Power, Spectrum};
+use nanospectra::{
+    Curve, FineObserver, Interpolation, Light, Nodes, Observer, Outside, Power, Spectrum, const_unwrap,
+};
 use proptest::prelude::*;
 
 type Grid = Nodes<400, 700>;
@@ -36,19 +38,14 @@ const fn wide_channels(fwhm: f64) -> Chip {
 }
 
 /// Made while compiling: the matrix alone is in the program.
-static TO_SPECTRUM: Reconstruction<8, 31, Grid> = match Reconstruction::smooth(&AS7341, 0.95, DEFAULT_ALPHA) {
-    Ok(matrix) => matrix,
-    Err(_) => panic!("eight channels that differ"),
-};
+static TO_SPECTRUM: Reconstruction<8, 31, Grid> =
+    const_unwrap!(Reconstruction::smooth(&AS7341, 0.95, DEFAULT_ALPHA));
 static TO_XYZ: Calibration<8> = TO_SPECTRUM.seen_by(&EYE);
 
 static LAMPS: [Light<31, Grid>; 6] =
     [on_grid(&FL2), on_grid(&FL11), on_grid(&HP1), on_grid(&LED_B1), on_grid(&LED_B3), on_grid(&LED_RGB1)];
 static LEARNT: Reconstruction<8, 31, Grid> =
-    match Reconstruction::wiener(&AS7341, &covariance_of(&LAMPS), DEFAULT_ALPHA) {
-        Ok(matrix) => matrix,
-        Err(_) => panic!("eight channels that differ"),
-    };
+    const_unwrap!(Reconstruction::wiener(&AS7341, &covariance_of(&LAMPS), DEFAULT_ALPHA));
 
 const fn on_grid(lamp: &Spectrum<Power, 81, Nodes<380, 780>>) -> Light<31, Grid> {
     lamp.interpolate(Interpolation::Linear, Outside::Hold)

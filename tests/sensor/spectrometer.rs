@@ -5,16 +5,13 @@ use model::noise::Noise;
 use model::sensor::{self, wide};
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{FirstPixel, PixelWavelengths, PixelWavelengthsError, above_dark_pixels};
-use nanospectra::{Bins, Curve, Grid, Nodes, Observer, PerBin, Power, Spectrum};
+use nanospectra::{Bins, Curve, Grid, Nodes, Observer, PerBin, Power, Spectrum, const_unwrap};
 use proptest::prelude::*;
 
 /// The coefficients of a C12880MA, as its sheet prints them.
 const SHEET: [f32; 6] = [3.102_449e2, 2.683_674, -1.121_367e-3, -6.962_632e-6, 8.478_353e-9, 5.208_724e-12];
 
-static UNIT: PixelWavelengths<288> = match PixelWavelengths::new(SHEET, FirstPixel::One) {
-    Ok(unit) => unit,
-    Err(_) => panic!("the sheet rises"),
-};
+static UNIT: PixelWavelengths<288> = const_unwrap!(PixelWavelengths::new(SHEET, FirstPixel::One));
 
 /// The polynomial in f64, as its powers.
 fn nm(coefficients: &[f32], pixel: f64) -> f64 {

@@ -202,9 +202,17 @@ impl<const C: usize, const D: usize> defmt::Format for Calibration<C, D> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CrosstalkError;
 
+impl CrosstalkError {
+    /// The reason, for [`const_unwrap!`](crate::const_unwrap) too.
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        "the cross-talk mixes channels so that they cannot be told apart again"
+    }
+}
+
 impl core::fmt::Display for CrosstalkError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the cross-talk mixes channels so that they cannot be told apart again")
+        f.write_str(self.message())
     }
 }
 

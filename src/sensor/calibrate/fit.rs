@@ -238,25 +238,35 @@ pub enum FitError {
     },
 }
 
+impl FitError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        match self {
+            Self::TooFew { .. } => "fewer patches than channels: measure more that differ",
+            Self::IllConditioned { .. } => {
+                "channels that cannot be told apart: measure more different colors, \
+                 leave out a channel that never counts, or use a larger alpha"
+            }
+            Self::NotFinite => {
+                "a count, a target or a weight is not finite, alpha is negative, or numbers are beyond 1e30: \
+                 check them, scale them"
+            }
+            Self::NotConverged { .. } => {
+                "no positive spectrum was found: allow more steps or use a larger alpha"
+            }
+        }
+    }
+}
+
 impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.message())?;
         match self {
-            Self::TooFew { patches, needed } => {
-                write!(f, "{patches} patches for {needed} channels: measure at least {needed} that differ")
-            }
-            Self::IllConditioned { condition } => write!(
-                f,
-                "channels that cannot be told apart (condition {condition:e}): measure more different colors, \
-                 leave out a channel that never counts, or use a larger alpha"
-            ),
-            Self::NotFinite => f.write_str(
-                "a count, a target or a weight is not finite, alpha is negative, or numbers are beyond 1e30: \
-                 check them, scale them",
-            ),
-            Self::NotConverged { iterations } => write!(
-                f,
-                "no positive spectrum after {iterations} steps: allow more of them or use a larger alpha"
-            ),
+            Self::TooFew { patches, needed } => write!(f, " ({patches} patches for {needed} channels)"),
+            Self::IllConditioned { condition } => write!(f, " (condition {condition:e})"),
+            Self::NotFinite => Ok(()),
+            Self::NotConverged { iterations } => write!(f, " (after {iterations} steps)"),
         }
     }
 }

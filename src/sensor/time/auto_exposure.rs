@@ -10,10 +10,7 @@ const AFTER_SATURATION: f32 = 64.0;
 ///
 /// ```
 /// # use nanospectra::sensor::{AutoExposure, chip::as7341};
-/// static AUTO: AutoExposure<'static> = match AutoExposure::new(&as7341::LADDER) {
-///     Ok(auto) => auto,
-///     Err(_) => panic!("not sorted"),
-/// };
+/// static AUTO: AutoExposure<'static> = nanospectra::const_unwrap!(AutoExposure::new(&as7341::LADDER));
 /// let start = AUTO.middle();
 /// let advice = AUTO.advise(start, &[120_u16, 300, 280, 210, 0, 0, 0, 0]);
 /// assert!(!advice.saturated && advice.next > start); // there is room for more
@@ -148,15 +145,27 @@ pub enum LadderError {
     },
 }
 
+impl LadderError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        match self {
+            LadderError::Empty => "no exposure to choose from",
+            LadderError::CannotCount { .. } => {
+                "an exposure has a gain, a time or a full scale that is not above zero"
+            }
+            LadderError::NotSorted { .. } => "an exposure is not more sensitive than the one before",
+        }
+    }
+}
+
 impl core::fmt::Display for LadderError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.message())?;
         match self {
-            LadderError::Empty => f.write_str("no exposure to choose from"),
-            LadderError::CannotCount { index } => {
-                write!(f, "exposure {index} has a gain, a time or a full scale that is not above zero")
-            }
-            LadderError::NotSorted { index } => {
-                write!(f, "exposure {index} is not more sensitive than the one before")
+            LadderError::Empty => Ok(()),
+            LadderError::CannotCount { index } | LadderError::NotSorted { index } => {
+                write!(f, " (exposure {index})")
             }
         }
     }

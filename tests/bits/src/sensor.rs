@@ -12,7 +12,7 @@ use nanospectra::sensor::{
     chip::{as7341, tcs3472},
     nonnegative_spectrum,
 };
-use nanospectra::{Light, Nodes, Power};
+use nanospectra::{Light, Nodes, Power, const_unwrap};
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("readings", Hash::of(readings));
@@ -116,10 +116,7 @@ fn temperature(hash: &mut Hash, xyz: FixedXyz) {
 type TenNm = Nodes<400, 700>;
 static CHIP: Observer<8, 31, Power, TenNm> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, TenNm> = CIE_1931.fold(Curve::Step);
-static SMOOTH: Reconstruction<8, 31, TenNm> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
-    Ok(spectrum) => spectrum,
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+static SMOOTH: Reconstruction<8, 31, TenNm> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01));
 
 /// Spectra behind counts: the matrix that was made while compiling, what it says, and the search without negative
 /// powers.
