@@ -5,22 +5,20 @@ use criterion::{BatchSize, BenchmarkId, Criterion};
 use nanospectra::math::Fast;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter, FixedObserver};
-use nanospectra::sensor::nominal::AS7341;
 use nanospectra::sensor::{
-    ALPHA, BasicCounts, Calibration, Exposure, Fit, Meter, Reconstruction, nonnegative_spectrum,
+    BasicCounts, Calibration, DEFAULT_ALPHA, Exposure, Fit, Meter, Reconstruction, chip::as7341,
+    nonnegative_spectrum,
 };
-use nanospectra::{Curve, Light, Nodes, Observer, Power};
+use nanospectra::{Curve, Light, Nodes, Observer, Power, const_unwrap};
 use std::hint::black_box;
 
 type Grid = Nodes<400, 700>;
-static CHIP: Observer<8, 31, Power, Grid> = AS7341.fold(Curve::Step);
+static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
-static SPECTRUM: Reconstruction<8, 31, Grid> = match Reconstruction::smooth(&CHIP, 0.95, ALPHA) {
-    Ok(spectrum) => spectrum,
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+static SPECTRUM: Reconstruction<8, 31, Grid> =
+    const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, DEFAULT_ALPHA));
 static TO_XYZ: Calibration<8> = SPECTRUM.seen_by(&EYE);
-const EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
+const EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 static METER: Meter<8> = Meter::new(&EXPOSURE, &TO_XYZ);
 static FIXED: FixedMeter<8> = FixedMeter::new(&EXPOSURE, &TO_XYZ).unwrap();
 
@@ -61,7 +59,7 @@ fn spectrum(c: &mut Criterion) {
         b.iter(|| SPECTRUM.spectrum(black_box(&basic)))
     });
     group.bench_function(BenchmarkId::new("31", "nonnegative"), |b| {
-        b.iter(|| nonnegative_spectrum(&CHIP, black_box(&basic), ALPHA, 50));
+        b.iter(|| nonnegative_spectrum(&CHIP, black_box(&basic), DEFAULT_ALPHA, 50));
     });
     group.finish();
 }

@@ -5,22 +5,19 @@
 //! `cargo run --release --example sensor_counts`
 
 use nanospectra::observer::CIE_1931;
-use nanospectra::sensor::{Calibration, Exposure, Meter, Reconstruction, Unusable, nominal};
-use nanospectra::{Curve, Nodes, Observer, Power};
+use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError, Reconstruction, chip::as7341};
+use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 
 type Grid = Nodes<400, 700>;
 
 /// The chip by its data sheet; the measured responsivities of your own one are better.
-static CHIP: Observer<8, 31, Power, Grid> = nominal::AS7341.fold(Curve::Step);
+static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 
 /// From counts to the smoothest spectrum behind them and on to XYZ: a matrix of 96 bytes, made by the compiler.
-static TO_XYZ: Calibration<8> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
-    Ok(spectrum) => spectrum.seen_by(&EYE),
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+static TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 /// Gain 16, registers ATIME 29 and ASTEP 599: 50 ms, and full scale is 18000 counts.
-static EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
+static EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 
 /// Channels F1 to F8 under an incandescent lamp (CIE illuminant A) that a lux meter reads as 500 lx. These counts
 /// and the next are simulated, so that what the lamps are is known.
@@ -43,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Readings that say nothing about the light are errors and not colors.
     let blinded = meter.xyz(&[18_000_u16; 8]);
-    assert!(matches!(blinded, Err(Unusable::Saturated { channels }) if channels.count() == 8));
+    assert!(matches!(blinded, Err(ReadingError::Saturated { channels }) if channels.count() == 8));
     // CIE 15:2018: LED-B3 has 4103 K, x = 0.3756, y = 0.3723. Eight channels tell it to 1 % or so.
     let xy = xyz.xy().ok_or("dark")?;
     assert!((xyz.y / 500.0 - 1.0).abs() < 0.01 && (cct_k / 4103.0 - 1.0).abs() < 0.01);

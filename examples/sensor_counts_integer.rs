@@ -5,25 +5,22 @@
 
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter};
-use nanospectra::sensor::{Calibration, Exposure, Reconstruction, Unusable, nominal};
-use nanospectra::{Curve, Nodes, Observer, Power};
+use nanospectra::sensor::{Calibration, ReadingError, Reconstruction, chip::as7341};
+use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 
 type Grid = Nodes<400, 700>;
 
 /// The chip by its data sheet, the eye, and the way from counts to XYZ; all floats end with the compiler.
-const CHIP: Observer<8, 31, Power, Grid> = nominal::AS7341.fold(Curve::Step);
+const CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 const EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
-const TO_XYZ: Calibration<8> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
-    Ok(spectrum) => spectrum.seen_by(&EYE),
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+const TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 
 /// Gain 16 and 50 ms; Y in lux by the factor that the example `sensor_counts` finds. What lies in flash is this.
 static METER: FixedMeter<8> =
-    FixedMeter::new(&Exposure::as7341(16.0, 29, 599), &TO_XYZ.scaled(27.363_61)).unwrap();
+    FixedMeter::new(&as7341::exposure(16.0, 29, 599), &TO_XYZ.scaled(27.363_61)).unwrap();
 
 /// What firmware would call: lux, kelvins (if the light is white) and Duv in millionths.
-fn read(counts: &[u16; 8]) -> Result<(u32, Option<(u32, i32)>), Unusable> {
+fn read(counts: &[u16; 8]) -> Result<(u32, Option<(u32, i32)>), ReadingError> {
     let xyz = METER.xyz(counts)?;
     let white = match xyz.cct() {
         Some(FixedCct::Near { cct_k, duv_e6, .. }) => Some((cct_k, duv_e6)),
@@ -40,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (cct_k, duv_e6) = white.ok_or("this light is not white")?;
     println!("{lux} lx, CCT {cct_k} K, Duv {duv_e6} millionths");
 
-    assert_eq!(read(&[0; 8]), Err(Unusable::TooDark));
+    assert_eq!(read(&[0; 8]), Err(ReadingError::TooDark));
     // CIE 15:2018: LED-B3 has 4103 K. Eight channels tell it to 1 % or so, and integers lose nothing more.
     assert!(lux.abs_diff(500) <= 5 && cct_k.abs_diff(4103) <= 41);
     Ok(())

@@ -127,7 +127,7 @@
 //! fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) { let _ = scene.push(glass); }
 //! ```
 //!
-//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Bend`](crate::sensor::Bend)), saturates or is
+//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Nonlinearity`](crate::sensor::Nonlinearity)), saturates or is
 //! noisy comes after the eye and is no part of a path: there linearity ends.
 
 mod fluorescent;

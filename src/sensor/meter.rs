@@ -1,23 +1,23 @@
-//! An exposure, a dark level and a calibration in one: raw counts to color in one pass.
+//! A light meter: raw counts to color in one pass over the channels.
 
 use crate::color::Xyz;
-use crate::sensor::calibration::positive;
-use crate::sensor::{Calibration, Count, Exposure, Unusable};
+use crate::sensor::calibrate::positive;
+use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 
-/// What is fixed about a light meter, folded: with the exposure in the weights and the dark level in the sums they
-/// start from, a count is converted, checked and weighted, and that is all.
+/// A light meter: exposure, dark level and calibration folded into one matrix, so that a count is only converted,
+/// checked and multiplied.
 ///
 /// For an instrument whose exposure stays (or one `Meter` for each of a few); the same numbers, to rounding, come
 /// from [`Exposure::basic_counts`] and [`Calibration::xyz`] step by step.
 ///
 /// ```
-/// # use nanospectra::sensor::{Calibration, Exposure, Meter, Unusable};
+/// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
 /// static TO_XYZ: Calibration<2> = Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [0.0, 1.1]]);
-/// static METER: Meter<2> = Meter::new(&Exposure::new(4.0, 25.0, 65_535), &TO_XYZ).above(&[3.0, 5.0]);
+/// static METER: Meter<2> = Meter::new_above(&Exposure::new(4.0, 25.0, 65_535), &[3.0, 5.0], &TO_XYZ);
 /// let xyz = METER.xyz(&[1003_u16, 2005])?;
 /// assert!((xyz.y - (0.4 * 10.0 + 0.6 * 20.0)).abs() < 1e-4); // 10 and 20 counts per ms at unit gain
-/// assert_eq!(METER.xyz(&[3_u16, 5]), Err(Unusable::TooDark));
-/// # Ok::<(), Unusable>(())
+/// assert_eq!(METER.xyz(&[3_u16, 5]), Err(ReadingError::TooDark));
+/// # Ok::<(), ReadingError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meter<const C: usize> {
@@ -30,7 +30,7 @@ pub struct Meter<const C: usize> {
 }
 
 impl<const C: usize> Meter<C> {
-    /// A meter that reads with this exposure.
+    /// A meter for readings with this exposure.
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Self {
         let mut columns = [[0.0; 3]; C];
@@ -46,23 +46,54 @@ impl<const C: usize> Meter<C> {
         Meter { columns, start: [0.0; 3], full_scale: exposure.full_scale(), floor: exposure.floor() }
     }
 
-    /// The same above these dark levels, in counts of the exposure; once.
+    /// A meter that first takes these dark levels, in counts of the exposure, off each channel.
     #[must_use]
-    pub const fn above(mut self, dark_levels: &[f32; C]) -> Self {
+    pub const fn new_above(
+        exposure: &Exposure,
+        dark_levels: &[f32; C],
+        calibration: &Calibration<C>,
+    ) -> Self {
+        let mut meter = Self::new(exposure, calibration);
         let mut c = 0;
         while c < C {
-            self.floor += dark_levels[c];
+            meter.floor += dark_levels[c];
             let mut d = 0;
             while d < 3 {
-                self.start[d] -= self.columns[c][d] * dark_levels[c];
+                meter.start[d] -= meter.columns[c][d] * dark_levels[c];
                 d += 1;
             }
             c += 1;
         }
+        meter
+    }
+
+    /// The same meter with every result multiplied by `k`: what a lux meter reads, divided by this meter's Y.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
+    /// # static TO_XYZ: Calibration<2> = Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [0.0, 1.1]]);
+    /// let meter = Meter::new(&Exposure::new(4.0, 25.0, 65_535), &TO_XYZ);
+    /// let counts = [1000_u16, 2000]; // under 500 lx
+    /// let meter = meter.scaled(500.0 / meter.xyz(&counts)?.y);
+    /// assert!((meter.xyz(&counts)?.y - 500.0).abs() < 1e-3);
+    /// # Ok::<(), ReadingError>(())
+    /// ```
+    #[must_use]
+    pub const fn scaled(mut self, k: f32) -> Self {
+        let mut d = 0;
+        while d < 3 {
+            self.start[d] *= k;
+            let mut c = 0;
+            while c < C {
+                self.columns[c][d] *= k;
+                c += 1;
+            }
+            d += 1;
+        }
         self
     }
 
-    /// XYZ.
+    /// The tristimulus values of one reading.
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below
@@ -71,7 +102,7 @@ impl<const C: usize> Meter<C> {
     /// # Cost
     /// Eight channels: 123 instructions on a Cortex-M4F.
     #[inline]
-    pub fn xyz<T: Count>(&self, counts: &[T; C]) -> Result<Xyz, Unusable> {
+    pub fn xyz<T: Count>(&self, counts: &[T; C]) -> Result<Xyz, ReadingError> {
         let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0.0, -1);
         for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
             let value = count.to_f32();
@@ -82,7 +113,7 @@ impl<const C: usize> Meter<C> {
             z += to_z * value;
         }
         if headroom >= 0 || total < self.floor {
-            return Err(Unusable::because(counts, self.full_scale));
+            return Err(ReadingError::because(counts, self.full_scale));
         }
         positive(Xyz { x, y, z })
     }

@@ -1,4 +1,4 @@
-//! Mini-spectrometers: from pixels to bins.
+//! Mini-spectrometers: from the counts of pixels to the bins of a grid.
 
 use crate::grid::Grid;
 use crate::sensor::Count;
@@ -6,26 +6,23 @@ use crate::spectrum::{PerBin, Spectrum};
 use core::fmt;
 use core::ops::Range;
 
-/// Where the `P` pixels of one spectrometer lie: the polynomial with `K` coefficients from its certificate
+/// The wavelengths of the `P` pixels of one spectrometer, by the polynomial with `K` coefficients from its certificate
 /// (six, of fifth order, for a C12880MA), in nm.
 ///
 /// ```
-/// use nanospectra::sensor::{FirstPixel, Wavelengths};
+/// use nanospectra::sensor::{FirstPixel, PixelWavelengths};
 /// // A C12880MA; its sheet counts pixels from 1.
-/// static UNIT: Wavelengths<288> = match Wavelengths::new(
+/// static UNIT: PixelWavelengths<288> = nanospectra::const_unwrap!(PixelWavelengths::new(
 ///     [3.102_449e2, 2.683_674, -1.121_367e-3, -6.962_632e-6, 8.478_353e-9, 5.208_724e-12],
 ///     FirstPixel::One,
-/// ) {
-///     Ok(unit) => unit,
-///     Err(_) => panic!("a coefficient is mistyped"),
-/// };
+/// ));
 /// assert!((UNIT.nm(0) - 312.93).abs() < 0.01);
 /// ```
 ///
 /// # Accuracy
 /// 1.5e-4 nm for a fifth order over 288 pixels: Horner's rule in f32.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wavelengths<const P: usize, const K: usize = 6> {
+pub struct PixelWavelengths<const P: usize, const K: usize = 6> {
     coefficients: [f32; K],
     first: FirstPixel,
 }
@@ -43,26 +40,26 @@ pub enum FirstPixel {
 /// Pixel counts put into the bins of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rebinned<const N: usize, G> {
-    /// What each bin received.
+    /// The counts in each bin.
     pub counts: Spectrum<PerBin, N, G>,
-    /// What fell outside the grid.
+    /// The counts that fell outside the grid.
     pub outside: f32,
 }
 
-impl<const P: usize, const K: usize> Wavelengths<P, K> {
+impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
     /// From the coefficients, the constant one first: nm = `coefficients[0]` + `coefficients[1]` p + .. for
     /// pixel p.
     ///
     /// # Errors
-    /// [`NotRising`] with the first pixel whose upper edge is not above its lower one: a mistyped coefficient,
-    /// an exponent lost, the order reversed, or NaN.
-    pub const fn new(coefficients: [f32; K], first: FirstPixel) -> Result<Self, NotRising> {
-        let unit = Wavelengths { coefficients, first };
+    /// [`PixelWavelengthsError`] with the first pixel whose upper edge is not above its lower one: a mistyped
+    /// coefficient, an exponent lost, the order reversed, or NaN.
+    pub const fn new(coefficients: [f32; K], first: FirstPixel) -> Result<Self, PixelWavelengthsError> {
+        let unit = PixelWavelengths { coefficients, first };
         let mut pixel = 0;
         while pixel < P {
             let (low, high) = (unit.edge_nm(pixel), unit.edge_nm(pixel + 1));
             if !(low < high && low.is_finite() && high.is_finite()) {
-                return Err(NotRising { pixel });
+                return Err(PixelWavelengthsError { pixel });
             }
             pixel += 1;
         }
@@ -102,12 +99,12 @@ impl<const P: usize, const K: usize> Wavelengths<P, K> {
     /// multiply by the `Factor` 1 over the spectrometer's responsivity.
     ///
     /// ```
-    /// # use nanospectra::{Bins, sensor::{FirstPixel, Wavelengths}};
-    /// let unit = Wavelengths::<100, 2>::new([400.0, 3.0], FirstPixel::Zero)?; // 398.5 to 698.5 nm
+    /// # use nanospectra::{Bins, sensor::{FirstPixel, PixelWavelengths}};
+    /// let unit = PixelWavelengths::<100, 2>::new([400.0, 3.0], FirstPixel::Zero)?; // 398.5 to 698.5 nm
     /// let rebinned = unit.rebinned::<30, Bins<400, 700>>(&[6.0; 100]);
     /// assert!((rebinned.counts.values()[7] - 20.0).abs() < 1e-3 && (rebinned.outside - 3.0).abs() < 1e-3);
     /// assert!((rebinned.counts.density().values()[7] - 2.0).abs() < 1e-4); // per nm
-    /// # Ok::<(), nanospectra::sensor::NotRising>(())
+    /// # Ok::<(), nanospectra::sensor::PixelWavelengthsError>(())
     /// ```
     ///
     /// # Accuracy
@@ -172,22 +169,26 @@ pub fn above_dark_pixels<T: Count, const P: usize>(
     Some(counts.map(|count| count.to_f32() - level))
 }
 
-/// A polynomial that does not rise from pixel to pixel.
+/// Why a polynomial was refused: its wavelengths do not rise from pixel to pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NotRising {
+pub struct PixelWavelengthsError {
     /// The first pixel, counted from 0, that does not end above its start.
     pub pixel: usize,
 }
 
-impl fmt::Display for NotRising {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the wavelengths do not rise at pixel {}: check the coefficients, their exponents and their order",
-            self.pixel
-        )
+impl PixelWavelengthsError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        "the wavelengths of pixels do not rise: check the coefficients, their exponents and their order"
     }
 }
 
-impl core::error::Error for NotRising {}
+impl fmt::Display for PixelWavelengthsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} (pixel {})", self.message(), self.pixel)
+    }
+}
+
+impl core::error::Error for PixelWavelengthsError {}

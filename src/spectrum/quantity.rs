@@ -30,7 +30,7 @@ pub struct Factor;
 pub struct RefractiveIndex;
 
 /// What a bin holds in all, and not for each nanometer: the counts of a spectrometer's pixels, which already
-/// sum up what falls on their width. Made by [`Wavelengths::rebinned`](crate::sensor::Wavelengths::rebinned).
+/// sum up what falls on their width. Made by [`PixelWavelengths::rebinned`](crate::sensor::PixelWavelengths::rebinned).
 ///
 /// Taken for a density, pixels of a grating that widen towards the blue are 24 % wrong in blue over red.
 /// [`density`](crate::Spectrum::density) divides by the width of the bins.

@@ -2,7 +2,7 @@
 
 use nanospectra::math::Fast;
 use nanospectra::matter::{Dye, Mirror, Mueller, Phosphor, Polarizer, Retarder};
-use nanospectra::sensor::{Bend, DeadTime};
+use nanospectra::sensor::{DeadTime, Nonlinearity};
 use nanospectra::{Bins, Light, Reflectance, Spectrum};
 
 type Two = Bins<400, 700>;
@@ -63,7 +63,7 @@ fn no_counter_and_no_bend_gives_nan() {
         if random.bits().is_multiple_of(8) {
             let small = [12.0 * random.unit() - 1.0, 9.0 * random.unit() - 7.0];
             for coefficients in [coefficients, small] {
-                let Some(bend) = Bend::new(coefficients) else { continue };
+                let Some(bend) = Nonlinearity::new(coefficients) else { continue };
                 bends += 1;
                 for read in [read, random.unit(), bend.read(random.unit()), bend.read(1.0)] {
                     if let Some(signal) = bend.signal(read) {

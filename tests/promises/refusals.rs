@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 34] = [
+const REFUSED: [(&str, &str, &[&str]); 36] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -75,6 +75,22 @@ const REFUSED: [(&str, &str, &[&str]); 34] = [
         static CHIP: Observer<1, 3, Power, Nodes<400, 402>> = responsivities(\"nm,a\\n400,1\\n402,1\\n\");
         fn main() { println!(\"{:?}\", CHIP); }",
         &["line 3: the wavelength is not the next one of the grid"],
+    ),
+    (
+        "counts_in_i32",
+        "use nanospectra::sensor::{Calibration, Exposure, Meter};
+        fn main() {
+            let meter = Meter::new(&Exposure::new(1.0, 1.0, 65_535), &Calibration::from_rows([[1.0; 8]; 3]));
+            println!(\"{:?}\", meter.xyz(&[18_000; 8]));
+        }",
+        &["`i32` is no raw count", "[18_000_u16; 8]"],
+    ),
+    (
+        "has_no_exposures",
+        "use nanospectra::{const_unwrap, sensor::AutoExposure};
+        static AUTO: AutoExposure<'static> = const_unwrap!(AutoExposure::new(&[]));
+        fn main() { println!(\"{:?}\", AUTO); }",
+        &["no exposure to choose from"],
     ),
     (
         "ends_before_it_starts",

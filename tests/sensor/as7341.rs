@@ -9,8 +9,8 @@ use nanospectra::color::{Cct, Xyz};
 use nanospectra::light;
 use nanospectra::matter::CES;
 use nanospectra::observer::{CIE_1931, KM};
-use nanospectra::sensor::{ALPHA, BasicCounts, Calibration, Exposure, Fit, Reconstruction, nominal};
-use nanospectra::{Curve, Fine, Nodes, Observer, Power};
+use nanospectra::sensor::{BasicCounts, Calibration, DEFAULT_ALPHA, Fit, Reconstruction, chip::as7341};
+use nanospectra::{Curve, Fine, Nodes, Observer, Power, const_unwrap};
 
 /// The chip of the simulation: the converter ends at 18 000 counts after 50 ms.
 const ATIME: u8 = 29;
@@ -29,10 +29,10 @@ const LUX: f32 = 500.0;
 
 /// What the chip reports of a light: gain chosen so that the brightest channel is at 30 to 90 % of full scale.
 fn measured(light: &Fine<Power>, noise: &mut Noise) -> BasicCounts<8> {
-    let basic = nominal::AS7341.sees(light).map(|b| b * PER_WATT);
+    let basic = as7341::NOMINAL.sees(light).map(|b| b * PER_WATT);
     let brightest = basic.iter().fold(0.0f32, |most, b| most.max(*b));
     for power in -1..=9 {
-        let exposure = Exposure::as7341(2f32.powi(power), ATIME, ASTEP);
+        let exposure = as7341::exposure(2f32.powi(power), ATIME, ASTEP);
         let share = brightest / exposure.per_count() / exposure.full_scale() as f32;
         if (0.30..0.90).contains(&share) {
             let counts = basic.map(|b| {
@@ -80,19 +80,16 @@ fn calibrated(mut report: impl FnMut(&Fine<Power>) -> BasicCounts<8>) -> Fit<8> 
 }
 
 fn exactly(light: &Fine<Power>) -> BasicCounts<8> {
-    BasicCounts::new(nominal::AS7341.sees(light).map(|b| b * PER_WATT))
+    BasicCounts::new(as7341::NOMINAL.sees(light).map(|b| b * PER_WATT))
 }
 
 /// The matrix by the shortest way for who has the responsivities: reconstruction and eye, folded while
 /// compiling.
 static BY_SPECTRUM: Calibration<8> = {
     type Grid = Nodes<380, 730>;
-    let chip: Observer<8, 36, Power, Grid> = nominal::AS7341.fold(Curve::Step);
+    let chip: Observer<8, 36, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
     let eye: Observer<3, 36, Power, Grid> = CIE_1931.fold(Curve::Step);
-    match Reconstruction::smooth(&chip, 0.95, ALPHA) {
-        Ok(spectrum) => spectrum.seen_by(&eye).scaled(KM / PER_WATT),
-        Err(_) => panic!("eight channels that differ"),
-    }
+    const_unwrap!(Reconstruction::smooth(&chip, 0.95, DEFAULT_ALPHA)).seen_by(&eye).scaled(KM / PER_WATT)
 };
 
 /// Errors of lux and of CCT in per cent; no CCT for lights that are not near the locus.
@@ -132,7 +129,7 @@ fn an_as7341_measures_lux_and_cct_of_every_lamp_within_the_bar() {
     let matrix = fit.solve().expect("297 patches");
     let noise_free = calibrated(exactly).solve().expect("297 patches");
     // What no combination of the channels can see: the color-matching functions less their projection.
-    let columns = sensor::transposed(&wide(nominal::AS7341.weights()));
+    let columns = sensor::transposed(&wide(as7341::NOMINAL.weights()));
     let functions = sensor::transposed(&wide(CIE_1931.weights()));
     let projection = sensor::fit(&columns, &functions, &[1.0; 471]);
     println!("residual of the patches, relative to Y: {:?}", fit.residual_rms());

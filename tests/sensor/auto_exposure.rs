@@ -1,7 +1,7 @@
 //! Automatic exposure: the right one is found quickly, and kept.
 
 use model::noise::Noise;
-use nanospectra::sensor::{AS7341_LADDER, Advice, AutoExposure, Exposure, LadderError};
+use nanospectra::sensor::{Advice, AutoExposure, Exposure, LadderError, chip::as7341};
 
 /// What eight channels count of a light at an exposure: the brightest `light` basic counts.
 fn counted(light: f64, exposure: &Exposure, mut noise: impl FnMut(f64) -> f64) -> [u16; 8] {
@@ -19,10 +19,10 @@ fn six_decades() -> impl Iterator<Item = f64> {
 
 #[test]
 fn any_light_is_found_in_four_readings_from_anywhere() {
-    let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
+    let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");
     let mut longest = 0;
     for light in six_decades() {
-        for start in 0..AS7341_LADDER.len() {
+        for start in 0..as7341::LADDER.len() {
             let (mut place, mut readings) = (start, 1);
             loop {
                 let advice = auto.advise(place, &counted(light, &auto.exposure(place), |_| 0.0));
@@ -41,7 +41,7 @@ fn any_light_is_found_in_four_readings_from_anywhere() {
                 light / f64::from(exposure.per_count()) / f64::from(exposure.full_scale())
             };
             assert!(place == 0 || share(place) < 0.9, "{light} from {start}");
-            let last = AS7341_LADDER.len() - 1;
+            let last = as7341::LADDER.len() - 1;
             assert!(place == last || share(place + 1) > 0.78, "{light} from {start}: stops at {place}");
         }
     }
@@ -50,7 +50,7 @@ fn any_light_is_found_in_four_readings_from_anywhere() {
 
 #[test]
 fn noise_does_not_make_the_exposure_swing() {
-    let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
+    let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");
     let mut noise = Noise(0x0dd5_eed0_dd5e_ed01);
     for light in six_decades().step_by(3) {
         let mut place = 7;
@@ -73,7 +73,7 @@ fn noise_does_not_make_the_exposure_swing() {
 
 #[test]
 fn advice_never_leaves_the_ladder() {
-    let auto = AutoExposure::new(&AS7341_LADDER).expect("a ladder");
+    let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");
     for place in [0, 3, 14, 15, 1000, usize::MAX] {
         for count in [0_u16, 1, 20_000, u16::MAX] {
             assert!(auto.advise(place, &[count; 8]).next < 15);

@@ -5,10 +5,11 @@ use model::allowed::check;
 use model::check::Check;
 use model::noise::Noise;
 use model::sensor::{self, wide};
+use nanospectra::const_unwrap;
 use nanospectra::light;
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
-use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, nominal};
+use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError, chip::as7341};
 use proptest::prelude::*;
 
 /// Counts, what they should come to, and the weight.
@@ -22,7 +23,7 @@ fn patches(lamps: &[&str]) -> Vec<Patch<8, 3>> {
         for sample in &CES {
             let seen = lamp * sample.fine();
             let xyz = CIE_1931.sees(&seen);
-            patches.push((nominal::AS7341.sees(&seen), xyz, 1.0 / xyz[1]));
+            patches.push((as7341::NOMINAL.sees(&seen), xyz, 1.0 / xyz[1]));
         }
     }
     patches
@@ -317,10 +318,7 @@ static FITTED: Calibration<2, 1> = {
     fit.add(&BasicCounts::new([1.0, 0.0]), [3.0], 1.0);
     fit.add(&BasicCounts::new([0.0, 1.0]), [2.0], 1.0);
     fit.add(&BasicCounts::new([1.0, 1.0]), [5.0], 1.0);
-    match fit.solve() {
-        Ok(matrix) => matrix,
-        Err(_) => panic!("two channels, three patches"),
-    }
+    const_unwrap!(fit.solve())
 };
 
 #[test]

@@ -7,11 +7,11 @@ use model::planck::C2_CIE;
 use nanospectra::color::{Cct, Xyz};
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter, FixedObserver, FixedXyz};
-use nanospectra::sensor::{Calibration, Exposure, Meter, Unusable, nominal};
+use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError, chip::as7341};
 use nanospectra::{Curve, Nodes, Observer, Power};
 use proptest::prelude::*;
 
-const EXPOSURE: Exposure = Exposure::as7341(16.0, 63, 999);
+const EXPOSURE: Exposure = as7341::exposure(16.0, 63, 999);
 static METER: FixedMeter<8> = FixedMeter::new(&EXPOSURE, &TO_XYZ).unwrap();
 
 /// XYZ with the chromaticity u, v and a largest component of about `size`.
@@ -120,7 +120,7 @@ fn expected(counts: &[u16; 8], dark: &[f32; 8], exposure: &Exposure) -> [f64; 3]
 #[test]
 fn sums_are_exact_to_a_few_units_and_never_overflow() {
     let dark = [65_535.0, 12.25, 0.0, 3.5, 65_535.0, 700.0, 65_535.0, 0.5];
-    let above = FixedMeter::above(&EXPOSURE, &dark, &TO_XYZ).expect("levels that counts can have");
+    let above = FixedMeter::new_above(&EXPOSURE, &dark, &TO_XYZ).expect("levels that counts can have");
     // Full scale of X, Y and Z: the sizes of the terms at 65 535.
     let full = expected(&[65_535; 8], &[0.0; 8], &EXPOSURE).map(|x| x * 1.02);
     let mut worst: f64 = 0.0;
@@ -131,8 +131,8 @@ fn sums_are_exact_to_a_few_units_and_never_overflow() {
             for (meter, dark) in [(&METER, &[0.0; 8]), (&above, &dark)] {
                 let sums = match meter.xyz(&counts) {
                     Ok(xyz) => xyz.to_xyz(),
-                    Err(Unusable::Negative { xyz }) => xyz,
-                    Err(Unusable::TooDark) => continue,
+                    Err(ReadingError::Negative { xyz }) => xyz,
+                    Err(ReadingError::TooDark) => continue,
                     other => panic!("{counts:?}: {other:?}"),
                 };
                 for ((sum, exact), full) in
@@ -160,7 +160,7 @@ fn temperature_is_that_of_the_floats_from_an_eighth_of_full_scale() {
     for _ in 0..400_000 {
         let (kelvin, size) = (1e6 / (5.0 + 900.0 * next()), 8000.0 + 55_000.0 * next());
         // A black body through the nominal channels, disturbed by a tenth.
-        let shape = nominal::AS7341.sees(
+        let shape = as7341::NOMINAL.sees(
             &nanospectra::Fine::interpolated_outside(
                 &[360.0, 450.0, 550.0, 650.0, 750.0, 830.0].map(|nm: f32| {
                     (
@@ -222,7 +222,7 @@ fn a_meter_that_cannot_be_is_refused() {
         assert_eq!(FixedMeter::new(&exposure, &one(w)), None, "{w}");
     }
     for level in [-1.0, 65_536.0, f32::NAN] {
-        assert_eq!(FixedMeter::above(&exposure, &[0.0, level], &one(1.0)), None, "{level}");
+        assert_eq!(FixedMeter::new_above(&exposure, &[0.0, level], &one(1.0)), None, "{level}");
     }
     for row in 0..3 {
         let mut rows = [[1.0; 2]; 3];
@@ -241,7 +241,7 @@ fn a_meter_that_cannot_be_is_refused() {
     // However high the floor, less is too dark.
     for floor in [5e9, f32::INFINITY] {
         let meter = FixedMeter::new(&exposure.with_floor(floor), &one(1.0)).expect("a scale");
-        assert_eq!(meter.xyz(&[5, 5]), Err(Unusable::TooDark));
+        assert_eq!(meter.xyz(&[5, 5]), Err(ReadingError::TooDark));
     }
 }
 
@@ -307,7 +307,7 @@ proptest! {
         xyz in any::<[i32; 3]>(), fraction in -62..=62_i32, samples in any::<[u16; 4]>(),
     ) {
         let calibration = Calibration::from_rows(rows).scaled(2.0_f32.powi(size));
-        if let Some(meter) = FixedMeter::above(&Exposure::new(1.0, 1.0, 65_535), &dark, &calibration)
+        if let Some(meter) = FixedMeter::new_above(&Exposure::new(1.0, 1.0, 65_535), &dark, &calibration)
             && let Ok(found) = meter.xyz(&counts)
         {
             let _ = (found.cct(), found.lux(), found.millilux());

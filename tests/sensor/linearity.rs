@@ -1,6 +1,6 @@
 //! Read-outs that are not linear, there and back.
 
-use nanospectra::sensor::{Bend, DeadTime};
+use nanospectra::sensor::{DeadTime, Nonlinearity};
 use proptest::prelude::*;
 
 /// Units in the last place of `b` between two numbers.
@@ -65,27 +65,27 @@ fn no_counter_is_at_a_loss() {
 /// The straight line starts Newton's steps beyond full scale.
 #[test]
 fn a_bend_upwards_gives_no_signal_beyond_full_scale() {
-    let signal = |bend: Bend<2>, read: f32| bend.signal(read).expect("a signal");
-    assert_eq!(Bend::new([1.5, -1.0]).map(|bend| signal(bend, 1.5)), Some(1.0));
-    assert_eq!(Bend::new([3.0, -1.0]).map(|bend| signal(bend, bend.read(1.0))), Some(1.0));
-    let steep = Bend::new([10.0, -6.0]).expect("rises");
+    let signal = |bend: Nonlinearity<2>, read: f32| bend.signal(read).expect("a signal");
+    assert_eq!(Nonlinearity::new([1.5, -1.0]).map(|bend| signal(bend, 1.5)), Some(1.0));
+    assert_eq!(Nonlinearity::new([3.0, -1.0]).map(|bend| signal(bend, bend.read(1.0))), Some(1.0));
+    let steep = Nonlinearity::new([10.0, -6.0]).expect("rises");
     assert!((signal(steep, steep.read(0.4083)) - 0.4083).abs() < 1e-6);
 }
 
 #[test]
 fn what_bends_back_is_refused() {
-    assert_eq!(Bend::new([-0.5]), None);
-    assert!(Bend::new([-0.49]).is_some());
-    assert_eq!(Bend::new([f32::NAN]), None);
-    assert_eq!(Bend::new([0.0, f32::INFINITY]), None);
+    assert_eq!(Nonlinearity::new([-0.5]), None);
+    assert!(Nonlinearity::new([-0.49]).is_some());
+    assert_eq!(Nonlinearity::new([f32::NAN]), None);
+    assert_eq!(Nonlinearity::new([0.0, f32::INFINITY]), None);
     // Rises at both ends and falls between them.
-    assert_eq!(Bend::new([-3.0, 2.2]), None);
-    assert!(Bend::<0>::new([]).is_some_and(|straight| straight.signal(0.3) == Some(0.3)));
+    assert_eq!(Nonlinearity::new([-3.0, 2.2]), None);
+    assert!(Nonlinearity::<0>::new([]).is_some_and(|straight| straight.signal(0.3) == Some(0.3)));
 }
 
 #[test]
 fn what_no_signal_reads_has_none() {
-    let bend = Bend::new([-0.1, 0.02]).expect("rises");
+    let bend = Nonlinearity::new([-0.1, 0.02]).expect("rises");
     assert_eq!(bend.signal(-1e-6), None);
     assert_eq!(bend.signal(bend.read(1.0) + 1e-6), None);
     assert_eq!(bend.signal(0.0), Some(0.0));
@@ -98,7 +98,7 @@ proptest! {
 
     #[test]
     fn a_bend_comes_back(c2 in -0.3f32..0.5, c3 in -0.1f32..0.3, signal in 0.0f32..=1.0) {
-        let Some(bend) = Bend::new([c2, c3]) else { return Ok(()) };
+        let Some(bend) = Nonlinearity::new([c2, c3]) else { return Ok(()) };
         let read = bend.read(signal);
         let back = bend.signal(read);
         let slope = 1.0 + 2.0 * f64::from(c2 * signal) + 3.0 * f64::from(c3 * signal * signal);
@@ -108,7 +108,7 @@ proptest! {
 
     #[test]
     fn the_steepest_bends_come_back_too(c2 in -0.6f32..12.0, c3 in -7.0f32..2.0, signal in 0.0f32..=1.0) {
-        let Some(bend) = Bend::new([c2, c3]) else { return Ok(()) };
+        let Some(bend) = Nonlinearity::new([c2, c3]) else { return Ok(()) };
         let Some(back) = bend.signal(bend.read(signal)) else {
             return Err(TestCaseError::fail("no signal"));
         };

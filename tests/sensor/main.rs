@@ -3,6 +3,7 @@
 mod as7341;
 mod auto_exposure;
 mod calibration;
+mod chips;
 mod fixed;
 mod linearity;
 mod measures;

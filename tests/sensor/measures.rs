@@ -5,7 +5,7 @@ use model::cct::{cct as nearest, uv_at};
 use nanospectra::color::{Uv1960, Xyz};
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{
-    BasicCounts, Calibration, Exposure, Flicker, Noise, Variances, XyzCovariance, amplitude_at,
+    BasicCounts, Calibration, Exposure, Flicker, Noise, Variances, XyzCovariance, amplitude_at, chip::as7341,
     mean_over_periods, whole_periods_ms,
 };
 
@@ -25,7 +25,7 @@ fn by_the_peaks() -> Calibration<8> {
 #[test]
 fn uncertainties_are_the_spread_of_simulated_readings() {
     const DRAWS: usize = 40_000;
-    let (exposure, to_xyz) = (Exposure::as7341(16.0, 29, 599), by_the_peaks());
+    let (exposure, to_xyz) = (as7341::exposure(16.0, 29, 599), by_the_peaks());
     let noise = Noise { electrons_per_count: 180.0, read_counts: 1.5 };
     let mut dice = model::noise::Noise(0x5eed_5eed_5eed_5eed);
     for level in [1.0, 0.2] {

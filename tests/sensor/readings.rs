@@ -5,11 +5,12 @@ use model::allowed::check;
 use nanospectra::color::{Cct, Xyz};
 use nanospectra::math::{Fast, Math};
 use nanospectra::sensor::{
-    BasicCounts, Calibration, Channels, Dark, Drift, Exposure, Meter, Singular, Unusable,
+    BasicCounts, Calibration, Channels, CrosstalkError, DarkCounts, Drift, Exposure, Meter, ReadingError,
+    chip::{as7341, opt4048, tcs3472},
 };
 use proptest::prelude::*;
 
-const EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
+const EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 
 #[test]
 fn the_full_scale_of_an_as7341_is_its_number_of_steps() {
@@ -20,7 +21,7 @@ fn the_full_scale_of_an_as7341_is_its_number_of_steps() {
         (255, 65_534, 65_535, 46_639.35),
         (0, 0, 1, 0.00278),
     ] {
-        let exposure = Exposure::as7341(1.0, atime, astep);
+        let exposure = as7341::exposure(1.0, atime, astep);
         assert_eq!(exposure.full_scale(), full);
         assert!((exposure.time_ms() / ms - 1.0).abs() < 1e-4, "{} {ms}", exposure.time_ms());
     }
@@ -37,7 +38,7 @@ fn a_tcs3472_is_trusted_to_three_quarters_below_150_ms() {
         (0xc1, 64_512, 151.2),
         (0x00, 65_535, 614.4),
     ] {
-        let exposure = Exposure::tcs3472(4.0, atime);
+        let exposure = tcs3472::exposure(4.0, atime);
         assert_eq!(exposure.full_scale(), full, "{atime:#x}");
         assert!((exposure.time_ms() - ms).abs() < 1e-3);
     }
@@ -46,24 +47,24 @@ fn a_tcs3472_is_trusted_to_three_quarters_below_150_ms() {
 #[test]
 fn an_opt4048_reads_lux_from_its_codes() {
     // ESPHome, Adafruit: lux = 2.15e-3 times channel 1, whatever the range.
-    let code = Exposure::opt4048_code(250_000, 2);
+    let code = opt4048::code(250_000, 2);
     assert_eq!(code, 1_000_000);
-    let basic = Exposure::opt4048().basic_counts(&[code, code, code]).expect("a reading");
-    let [lux] = Calibration::OPT4048_LUX.apply(&basic);
+    let basic = opt4048::exposure().basic_counts(&[code, code, code]).expect("a reading");
+    let [lux] = opt4048::TO_LUX.apply(&basic);
     assert!((lux - 2150.0).abs() < 1e-3);
     // Equal codes in X, Y and Z: x, y by TI's matrix, computed by hand.
-    let xy = Calibration::OPT4048.xyz(&basic).ok().and_then(Xyz::xy).expect("light");
+    let xy = opt4048::TO_XYZ.xyz(&basic).ok().and_then(Xyz::xy).expect("light");
     assert!((xy.x - 0.306_64).abs() < 1e-5 && (xy.y - 0.135_65).abs() < 1e-5, "{xy:?}");
     // Mantissa and exponent at their largest.
-    let full = Exposure::opt4048_code(0x000f_ffff, 8);
-    assert!(matches!(Exposure::opt4048().basic_counts(&[full, 0, 0]), Err(Unusable::Saturated { .. })));
+    let full = opt4048::code(0x000f_ffff, 8);
+    assert!(matches!(opt4048::exposure().basic_counts(&[full, 0, 0]), Err(ReadingError::Saturated { .. })));
 }
 
 #[test]
 fn basic_counts_do_not_depend_on_the_exposure() {
-    let bright = Exposure::as7341(1.0, 29, 599).basic_counts(&[1000_u16, 2000]).expect("a reading");
-    let long = Exposure::as7341(4.0, 59, 599).basic_counts(&[8000_u32, 16_000]).expect("a reading");
-    let calibrated = Exposure::as7341(1.0, 29, 599).basic_counts(&[1000.0_f32, 2000.0]).expect("a reading");
+    let bright = as7341::exposure(1.0, 29, 599).basic_counts(&[1000_u16, 2000]).expect("a reading");
+    let long = as7341::exposure(4.0, 59, 599).basic_counts(&[8000_u32, 16_000]).expect("a reading");
+    let calibrated = as7341::exposure(1.0, 29, 599).basic_counts(&[1000.0_f32, 2000.0]).expect("a reading");
     for (a, b) in bright.values().iter().zip(long.values()) {
         assert!((a / b - 1.0).abs() < 3e-7);
     }
@@ -74,17 +75,17 @@ fn basic_counts_do_not_depend_on_the_exposure() {
 #[test]
 fn counts_at_the_ends_of_the_range_have_a_meaning() {
     let full = EXPOSURE.full_scale() as u16;
-    assert_eq!(EXPOSURE.basic_counts(&[0_u16; 8]), Err(Unusable::TooDark));
+    assert_eq!(EXPOSURE.basic_counts(&[0_u16; 8]), Err(ReadingError::TooDark));
     assert!(EXPOSURE.basic_counts(&[0_u16, 0, 0, 1, 0, 0, 0, 0]).is_ok());
     assert!(EXPOSURE.basic_counts(&[full - 1; 8]).is_ok());
     let all = Channels::default().with(0).with(1).with(2).with(3).with(4).with(5).with(6).with(7);
     for count in [full, u16::MAX] {
-        assert_eq!(EXPOSURE.basic_counts(&[count; 8]), Err(Unusable::Saturated { channels: all }));
+        assert_eq!(EXPOSURE.basic_counts(&[count; 8]), Err(ReadingError::Saturated { channels: all }));
     }
     for count in [u32::from(full), u32::MAX, 1 << 31] {
-        assert_eq!(EXPOSURE.basic_counts(&[count; 8]), Err(Unusable::Saturated { channels: all }));
+        assert_eq!(EXPOSURE.basic_counts(&[count; 8]), Err(ReadingError::Saturated { channels: all }));
     }
-    assert_eq!(EXPOSURE.basic_counts(&[f32::INFINITY; 8]), Err(Unusable::Saturated { channels: all }));
+    assert_eq!(EXPOSURE.basic_counts(&[f32::INFINITY; 8]), Err(ReadingError::Saturated { channels: all }));
     // All equal is no color of its own: it is what the calibration says of it.
     let equal = EXPOSURE.basic_counts(&[1000_u16; 8]).expect("a reading");
     assert!(TO_XYZ.xyz(&equal).is_ok_and(|xyz| xyz.y > 0.0));
@@ -110,20 +111,20 @@ fn channels_below_their_dark_level_are_negative_and_stay_so() {
     // As much below as above is dark, and all below is.
     assert_eq!(
         EXPOSURE.basic_counts_above(&levels, &[30_u16, 50, 40, 40, 40, 40, 40, 40]),
-        Err(Unusable::TooDark)
+        Err(ReadingError::TooDark)
     );
-    assert_eq!(EXPOSURE.basic_counts_above(&levels, &[0_u16; 8]), Err(Unusable::TooDark));
+    assert_eq!(EXPOSURE.basic_counts_above(&levels, &[0_u16; 8]), Err(ReadingError::TooDark));
     // Saturation is a matter of the raw count.
     assert!(matches!(
         EXPOSURE.basic_counts_above(&[500.0; 8], &[18_000_u16, 1, 1, 1, 1, 1, 1, 1]),
-        Err(Unusable::Saturated { channels }) if channels == Channels::default().with(0)
+        Err(ReadingError::Saturated { channels }) if channels == Channels::default().with(0)
     ));
 }
 
 #[test]
 fn a_negative_color_is_an_outcome_and_keeps_its_numbers() {
     let red = BasicCounts::new([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
-    let Err(Unusable::Negative { xyz }) = TO_XYZ.xyz(&red) else { panic!("{:?}", TO_XYZ.xyz(&red)) };
+    let Err(ReadingError::Negative { xyz }) = TO_XYZ.xyz(&red) else { panic!("{:?}", TO_XYZ.xyz(&red)) };
     assert_eq!(xyz.to_array(), [-0.2993, -0.1845, -0.09507]);
     let text = TO_XYZ.xyz(&red).unwrap_err().to_string();
     assert_eq!(text, "the calibration gives a negative color: X -0.2993, Y -0.1845, Z -0.09507");
@@ -132,13 +133,14 @@ fn a_negative_color_is_an_outcome_and_keeps_its_numbers() {
 #[test]
 fn the_floor_is_what_all_channels_count_together() {
     let exposure = EXPOSURE.with_floor(80.0);
-    assert_eq!(exposure.basic_counts(&[9_u16, 10, 10, 10, 10, 10, 10, 10]), Err(Unusable::TooDark));
+    assert_eq!(exposure.basic_counts(&[9_u16, 10, 10, 10, 10, 10, 10, 10]), Err(ReadingError::TooDark));
     assert!(exposure.basic_counts(&[10_u16; 8]).is_ok());
 }
 
 #[test]
 fn dark_counts_grow_with_time_gain_and_temperature() {
-    let dark = Dark { offset: [2.0, 0.0], rate: [0.01, 0.02], measured_at_c: 25.0, doubles_every_k: 8.0 };
+    let dark =
+        DarkCounts { offset: [2.0, 0.0], rate: [0.01, 0.02], measured_at_c: 25.0, doubles_every_k: 8.0 };
     let exposure = Exposure::new(16.0, 50.0, 65_535);
     assert_eq!(dark.levels(&exposure), [10.0, 16.0]);
     for (celsius, levels) in [(25.0, [10.0, 16.0]), (33.0, [18.0, 32.0]), (17.0, [6.0, 8.0])] {
@@ -191,7 +193,7 @@ fn a_meter_is_within_its_rounding_of_the_exact_sums() {
             ((random >> 16) % 18_000) as u16
         });
         let xyz = match METER.xyz(&counts) {
-            Ok(xyz) | Err(Unusable::Negative { xyz }) => xyz,
+            Ok(xyz) | Err(ReadingError::Negative { xyz }) => xyz,
             Err(other) => panic!("{counts:?}: {other}"),
         };
         for (got, row) in xyz.to_array().into_iter().zip(TO_XYZ.rows()) {
@@ -209,7 +211,7 @@ fn a_meter_is_within_its_rounding_of_the_exact_sums() {
 #[test]
 fn cross_talk_that_cannot_be_undone_is_refused() {
     let refused = |matrix: [[f32; 2]; 2]| {
-        Calibration::<2, 1>::from_rows([[1.0, 1.0]]).without_crosstalk(&matrix) == Err(Singular)
+        Calibration::<2, 1>::from_rows([[1.0, 1.0]]).without_crosstalk(&matrix) == Err(CrosstalkError)
     };
     assert!(refused([[1.0, 1.0], [1.0, 1.0]]));
     assert!(refused([[0.0, 0.0], [0.0, 1.0]]));
@@ -234,8 +236,8 @@ proptest! {
         counts in any::<[u16; 8]>(), dark in 0.0_f32..200.0, gain in 0.5_f32..512.0, atime in any::<u8>(),
         astep in 100_u16..65_534,
     ) {
-        let exposure = Exposure::as7341(gain, atime, astep);
-        let meter = Meter::new(&exposure, &TO_XYZ).above(&[dark; 8]);
+        let exposure = as7341::exposure(gain, atime, astep);
+        let meter = Meter::new_above(&exposure, &[dark; 8], &TO_XYZ);
         let steps = exposure.basic_counts_above(&[dark; 8], &counts).and_then(|basic| TO_XYZ.xyz(&basic));
         let size = exposure.per_count() * 65_535.0 * 180.0;
         match (meter.xyz(&counts), steps) {
@@ -244,7 +246,7 @@ proptest! {
                     prop_assert!((a - b).abs() < 1e-6 * size, "{a} {b}");
                 }
             }
-            (Err(Unusable::Negative { xyz }), Ok(other)) | (Ok(other), Err(Unusable::Negative { xyz })) => {
+            (Err(ReadingError::Negative { xyz }), Ok(other)) | (Ok(other), Err(ReadingError::Negative { xyz })) => {
                 prop_assert!((xyz.y - other.y).abs() < 1e-6 * size);
             }
             (a, b) => prop_assert_eq!(

@@ -9,15 +9,18 @@ use nanospectra::light::{FL2, FL11, HP1, LED_B1, LED_B3, LED_RGB1};
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{
-    ALPHA, BasicCounts, Calibration, FitError, Reconstruction, covariance_of, nominal, nonnegative_spectrum,
+    BasicCounts, Calibration, DEFAULT_ALPHA, FitError, Reconstruction, chip::as7341, covariance_of,
+    gaussian_responsivities, nonnegative_spectrum,
 };
-use nanospectra::{Curve, FineObserver, Interpolation, Light, Nodes, Observer, Outside, Power, Spectrum};
+use nanospectra::{
+    Curve, FineObserver, Interpolation, Light, Nodes, Observer, Outside, Power, Spectrum, const_unwrap,
+};
 use proptest::prelude::*;
 
 type Grid = Nodes<400, 700>;
 type Chip = Observer<8, 31, Power, Grid>;
 
-static AS7341: Chip = nominal::AS7341.fold(Curve::Step);
+static AS7341: Chip = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 /// Eight channels so wide that each sees much of what its neighbors see.
 static WIDE: Chip = wide_channels(80.0);
@@ -30,24 +33,19 @@ const fn wide_channels(fwhm: f64) -> Chip {
         channels[c].0 = 415.0 + 265.0 / 7.0 * c as f64;
         c += 1;
     }
-    let fine: FineObserver<8> = nominal::gaussians(channels);
+    let fine: FineObserver<8> = gaussian_responsivities(channels);
     fine.fold(Curve::Step)
 }
 
 /// Made while compiling: the matrix alone is in the program.
-static TO_SPECTRUM: Reconstruction<8, 31, Grid> = match Reconstruction::smooth(&AS7341, 0.95, ALPHA) {
-    Ok(matrix) => matrix,
-    Err(_) => panic!("eight channels that differ"),
-};
+static TO_SPECTRUM: Reconstruction<8, 31, Grid> =
+    const_unwrap!(Reconstruction::smooth(&AS7341, 0.95, DEFAULT_ALPHA));
 static TO_XYZ: Calibration<8> = TO_SPECTRUM.seen_by(&EYE);
 
 static LAMPS: [Light<31, Grid>; 6] =
     [on_grid(&FL2), on_grid(&FL11), on_grid(&HP1), on_grid(&LED_B1), on_grid(&LED_B3), on_grid(&LED_RGB1)];
 static LEARNT: Reconstruction<8, 31, Grid> =
-    match Reconstruction::wiener(&AS7341, &covariance_of(&LAMPS), ALPHA) {
-        Ok(matrix) => matrix,
-        Err(_) => panic!("eight channels that differ"),
-    };
+    const_unwrap!(Reconstruction::wiener(&AS7341, &covariance_of(&LAMPS), DEFAULT_ALPHA));
 
 const fn on_grid(lamp: &Spectrum<Power, 81, Nodes<380, 780>>) -> Light<31, Grid> {
     lamp.interpolate_outside(Interpolation::Linear, Outside::Hold)
@@ -106,14 +104,14 @@ fn a_small_alpha_gains_nothing_and_amplifies_noise() {
     };
     let least = rms(1e-8, 0.0);
     assert!((0.012..0.014).contains(&least), "{least}");
-    for alpha in [1e-6, 1e-4, 1e-3, ALPHA] {
+    for alpha in [1e-6, 1e-4, 1e-3, DEFAULT_ALPHA] {
         println!("alpha {alpha}: {:.3} of {least}", rms(alpha, 0.0) / least);
         assert!((rms(alpha, 0.0) / least - 1.0).abs() < 0.02, "{alpha}: {}", rms(alpha, 0.0));
     }
     println!("alpha 0.1: {:.3}", rms(1e-1, 0.0) / least);
     assert!(rms(1e-1, 0.0) > 1.2 * least);
-    println!("with noise {} {} {}", rms(1e-6, 0.03), rms(ALPHA, 0.03), rms(1e-1, 0.03));
-    assert!(rms(ALPHA, 0.03) < rms(1e-6, 0.03));
+    println!("with noise {} {} {}", rms(1e-6, 0.03), rms(DEFAULT_ALPHA, 0.03), rms(1e-1, 0.03));
+    assert!(rms(DEFAULT_ALPHA, 0.03) < rms(1e-6, 0.03));
 }
 
 #[test]
@@ -135,7 +133,7 @@ fn a_learnt_prior_gives_the_matrix_of_f64() {
     covariance.tight(31 * 31);
     let g = wide(AS7341.weights());
     let mut learnt = check("spectra by a learnt prior");
-    compare(&mut learnt, "0.01", LEARNT.rows(), &sensor::wiener(&g, &k, ALPHA.into()));
+    compare(&mut learnt, "0.01", LEARNT.rows(), &sensor::wiener(&g, &k, DEFAULT_ALPHA.into()));
     for alpha in [1e-6f32, 1e-4, 1e-1] {
         let matrix = Reconstruction::wiener(&AS7341, &covariance_of(&LAMPS), alpha).expect("channels");
         compare(&mut learnt, &format!("{alpha}"), matrix.rows(), &sensor::wiener(&g, &k, alpha.into()));
@@ -155,12 +153,15 @@ fn a_learnt_prior_gives_the_matrix_of_f64() {
 fn a_covariance_given_as_numbers_is_the_smooth_one() {
     let covariance: [[f32; 31]; 31] =
         std::array::from_fn(|i| std::array::from_fn(|j| 0.95f32.powi(i.abs_diff(j) as i32)));
-    let given = Reconstruction::wiener(&AS7341, &covariance, ALPHA).expect("channels that differ");
+    let given = Reconstruction::wiener(&AS7341, &covariance, DEFAULT_ALPHA).expect("channels that differ");
     for (a, b) in given.rows().iter().flatten().zip(TO_SPECTRUM.rows().iter().flatten()) {
         assert!((a - b).abs() < 1e-6, "{a} {b}");
     }
-    let tikhonov = Reconstruction::tikhonov(&AS7341, ALPHA).expect("channels that differ");
-    assert_eq!(tikhonov.rows(), Reconstruction::smooth(&AS7341, 0.0, ALPHA).expect("the same").rows());
+    let tikhonov = Reconstruction::tikhonov(&AS7341, DEFAULT_ALPHA).expect("channels that differ");
+    assert_eq!(
+        tikhonov.rows(),
+        Reconstruction::smooth(&AS7341, 0.0, DEFAULT_ALPHA).expect("the same").rows()
+    );
 }
 
 #[test]
@@ -188,14 +189,14 @@ fn sensors_of_any_unit_reconstruct_alike() {
     // Row 44.
     for scale in [1e-30f32, 1e-20, 1e20] {
         let chip: Chip = Observer::from_weights(AS7341.weights().map(|row| row.map(|w| w * scale)));
-        let matrix = Reconstruction::smooth(&chip, 0.95, ALPHA).expect("channels that differ");
+        let matrix = Reconstruction::smooth(&chip, 0.95, DEFAULT_ALPHA).expect("channels that differ");
         for (a, b) in matrix.rows().iter().flatten().zip(TO_SPECTRUM.rows().iter().flatten()) {
             assert!((a * scale - b).abs() < 1e-6, "{scale}: {a} {b}");
         }
         let counts = BasicCounts::new(chip.sees(&LAMPS[0]));
-        let light = nonnegative_spectrum(&chip, &counts, ALPHA, 30).expect("a lamp");
+        let light = nonnegative_spectrum(&chip, &counts, DEFAULT_ALPHA, 30).expect("a lamp");
         let unscaled = BasicCounts::new(AS7341.sees(&LAMPS[0]));
-        let unscaled = nonnegative_spectrum(&AS7341, &unscaled, ALPHA, 30).expect("a lamp");
+        let unscaled = nonnegative_spectrum(&AS7341, &unscaled, DEFAULT_ALPHA, 30).expect("a lamp");
         for (a, b) in light.values().iter().zip(unscaled.values()) {
             assert!((a - b).abs() < 1e-5 * unscaled.peak(), "{scale}: {a} {b}");
         }
@@ -209,27 +210,27 @@ fn what_cannot_be_told_is_refused() {
     let mut rows = *AS7341.weights();
     rows[4] = rows[3];
     let twice: Chip = Observer::from_weights(rows);
-    assert!(smooth(&twice, ALPHA).is_ok());
+    assert!(smooth(&twice, DEFAULT_ALPHA).is_ok());
     let refused = smooth(&twice, 0.0);
     assert!(matches!(refused, Err(FitError::IllConditioned { .. })), "{refused:?}");
     assert!(smooth(&AS7341, 0.0).is_ok());
     // A blind channel has no part in it; a blind chip is none.
     rows[4] = [0.0; 31];
-    let blind_channel = smooth(&Observer::from_weights(rows), ALPHA).expect("seven channels see");
+    let blind_channel = smooth(&Observer::from_weights(rows), DEFAULT_ALPHA).expect("seven channels see");
     assert!(blind_channel.iter().all(|row| row[4] == 0.0));
     let blind: Chip = Observer::from_weights([[0.0; 31]; 8]);
-    assert_eq!(smooth(&blind, ALPHA), Err(FitError::IllConditioned { condition: f32::INFINITY }));
+    assert_eq!(smooth(&blind, DEFAULT_ALPHA), Err(FitError::IllConditioned { condition: f32::INFINITY }));
     for alpha in [-1.0, f32::NAN, f32::INFINITY] {
         assert_eq!(smooth(&AS7341, alpha), Err(FitError::NotFinite), "{alpha}");
     }
     for correlation in [1.5, f32::NAN] {
-        assert!(Reconstruction::smooth(&AS7341, correlation, ALPHA).is_err());
+        assert!(Reconstruction::smooth(&AS7341, correlation, DEFAULT_ALPHA).is_err());
     }
     rows[4] = [f32::NAN; 31];
-    assert_eq!(smooth(&Observer::from_weights(rows), ALPHA), Err(FitError::NotFinite));
+    assert_eq!(smooth(&Observer::from_weights(rows), DEFAULT_ALPHA), Err(FitError::NotFinite));
     let none = covariance_of::<31, Grid>(&[]);
     assert!(none.iter().flatten().all(|v| *v == 0.0));
-    assert!(Reconstruction::wiener(&AS7341, &none, ALPHA).is_err());
+    assert!(Reconstruction::wiener(&AS7341, &none, DEFAULT_ALPHA).is_err());
     assert_eq!(covariance_of(&[Light::<31, Grid>::flat(0.0), LAMPS[0]]), covariance_of(&[LAMPS[0]]));
     assert!(covariance_of(&[Light::<31, Grid>::flat(f32::NAN)])[0][0].is_nan());
     // A thousandth of a lamp is the same lamp.
@@ -349,7 +350,7 @@ fn the_search_ends_for_random_chips_and_counts() {
 #[test]
 fn counts_that_no_light_makes_end_in_the_dark() {
     let dark = Light::flat(0.0);
-    let of = |counts: [f32; 8]| nonnegative_spectrum(&AS7341, &BasicCounts::new(counts), ALPHA, 30);
+    let of = |counts: [f32; 8]| nonnegative_spectrum(&AS7341, &BasicCounts::new(counts), DEFAULT_ALPHA, 30);
     assert_eq!(of([0.0; 8]), Ok(dark));
     assert_eq!(of([-3.0; 8]), Ok(dark));
     let mixed = of([-1.0, 5.0, 0.0, -2.0, 0.0, 0.0, 7.0, -0.5]).expect("some light");
@@ -362,11 +363,11 @@ fn counts_that_no_light_makes_end_in_the_dark() {
     let counts = BasicCounts::new([1.0; 8]);
     assert_eq!(nonnegative_spectrum(&AS7341, &counts, 0.0, 30), Err(FitError::NotFinite));
     assert_eq!(
-        nonnegative_spectrum(&AS7341, &counts, ALPHA, 0),
+        nonnegative_spectrum(&AS7341, &counts, DEFAULT_ALPHA, 0),
         Err(FitError::NotConverged { iterations: 0 })
     );
     let blind: Chip = Observer::from_weights([[0.0; 31]; 8]);
-    assert!(nonnegative_spectrum(&blind, &counts, ALPHA, 30).is_err());
+    assert!(nonnegative_spectrum(&blind, &counts, DEFAULT_ALPHA, 30).is_err());
 }
 
 proptest! {
@@ -386,7 +387,7 @@ proptest! {
         rows.iter_mut().flatten().zip(&weights).for_each(|(row, weight)| *row = *weight);
         let chip: Observer<3, 4, Power, Grid> = Observer::from_weights(rows);
         for correlation in [correlation, 0.5] {
-            for alpha in [alpha, ALPHA] {
+            for alpha in [alpha, DEFAULT_ALPHA] {
                 if let Ok(matrix) = Reconstruction::smooth(&chip, correlation, alpha) {
                     prop_assert!(matrix.rows().iter().flatten().all(|w| w.is_finite()));
                 }

@@ -4,17 +4,14 @@ use model::allowed::check;
 use model::noise::Noise;
 use model::sensor::{self, wide};
 use nanospectra::observer::CIE_1931;
-use nanospectra::sensor::{FirstPixel, NotRising, Wavelengths, above_dark_pixels};
-use nanospectra::{Bins, Curve, Grid, Nodes, Observer, PerBin, Power, Spectrum};
+use nanospectra::sensor::{FirstPixel, PixelWavelengths, PixelWavelengthsError, above_dark_pixels};
+use nanospectra::{Bins, Curve, Grid, Nodes, Observer, PerBin, Power, Spectrum, const_unwrap};
 use proptest::prelude::*;
 
 /// The coefficients of a C12880MA, as its sheet prints them.
 const SHEET: [f32; 6] = [3.102_449e2, 2.683_674, -1.121_367e-3, -6.962_632e-6, 8.478_353e-9, 5.208_724e-12];
 
-static UNIT: Wavelengths<288> = match Wavelengths::new(SHEET, FirstPixel::One) {
-    Ok(unit) => unit,
-    Err(_) => panic!("the sheet rises"),
-};
+static UNIT: PixelWavelengths<288> = const_unwrap!(PixelWavelengths::new(SHEET, FirstPixel::One));
 
 /// The polynomial in f64, as its powers.
 fn nm(coefficients: &[f32], pixel: f64) -> f64 {
@@ -37,27 +34,29 @@ fn pixels_lie_where_the_polynomial_says() {
         pixels.value(&format!("{pixel}, edge"), UNIT.edge_nm(pixel).into(), nm(&SHEET, pixel as f64 + 0.5));
     }
     pixels.tight(576);
-    let from_zero = Wavelengths::<288>::new(SHEET, FirstPixel::Zero).expect("it rises");
+    let from_zero = PixelWavelengths::<288>::new(SHEET, FirstPixel::Zero).expect("it rises");
     assert_eq!(from_zero.nm(1), UNIT.nm(0));
     assert_eq!(from_zero.nm(0), SHEET[0]);
 }
 
 #[test]
 fn mistyped_coefficients_are_refused() {
-    let of = |coefficients| Wavelengths::<288>::new(coefficients, FirstPixel::One);
+    let of = |coefficients| PixelWavelengths::<288>::new(coefficients, FirstPixel::One);
     let with = |k: usize, c: f32| {
         let mut mistyped = SHEET;
         mistyped[k] = c;
         mistyped
     };
     // A lost exponent, a lost sign, the order reversed, nonsense.
-    assert!(matches!(of(with(2, -1.121_367e-2)), Err(NotRising { pixel }) if (100..130).contains(&pixel)));
-    assert_eq!(of(with(1, -2.683_674)), Err(NotRising { pixel: 0 }));
+    assert!(
+        matches!(of(with(2, -1.121_367e-2)), Err(PixelWavelengthsError { pixel }) if (100..130).contains(&pixel))
+    );
+    assert_eq!(of(with(1, -2.683_674)), Err(PixelWavelengthsError { pixel: 0 }));
     let mut reversed = SHEET;
     reversed.reverse();
     assert!(of(with(1, 0.0)).is_err() && of(with(3, f32::NAN)).is_err() && of(with(5, 1e38)).is_err());
-    assert!(Wavelengths::<288, 1>::new([500.0], FirstPixel::Zero).is_err());
-    assert!(Wavelengths::<288, 0>::new([], FirstPixel::Zero).is_err());
+    assert!(PixelWavelengths::<288, 1>::new([500.0], FirstPixel::Zero).is_err());
+    assert!(PixelWavelengths::<288, 0>::new([], FirstPixel::Zero).is_err());
     let error = of(with(1, -2.683_674)).expect_err("it falls").to_string();
     assert!(error.contains("pixel 0") && error.contains("check the coefficients"), "{error}");
 }
@@ -148,7 +147,7 @@ proptest! {
         bend in -0.1f32..0.1,
         counts in prop::array::uniform32(0.0f32..1e6),
     ) {
-        if let Ok(unit) = Wavelengths::<32, 3>::new([constant, slope, bend], FirstPixel::One) {
+        if let Ok(unit) = PixelWavelengths::<32, 3>::new([constant, slope, bend], FirstPixel::One) {
             let rebinned = unit.rebinned::<16, Bins<380, 730>>(&counts);
             let total: f64 = counts.iter().map(|c| f64::from(*c)).sum();
             let got = f64::from(rebinned.counts.total()) + f64::from(rebinned.outside);
@@ -162,7 +161,7 @@ proptest! {
         coefficients in prop::array::uniform4(any::<f32>()),
         counts in prop::array::uniform8(any::<f32>()),
     ) {
-        if let Ok(unit) = Wavelengths::<8, 4>::new(coefficients, FirstPixel::Zero) {
+        if let Ok(unit) = PixelWavelengths::<8, 4>::new(coefficients, FirstPixel::Zero) {
             let _ = unit.rebinned::<16, Bins<380, 730>>(&counts);
         }
     }

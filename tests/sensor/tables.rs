@@ -2,7 +2,7 @@
 
 use model::noise::Noise;
 use nanospectra::sensor::{
-    ResponsivityError, ResponsivityProblem as Problem, read_responsivities, responsivities,
+    ResponsivityError, ResponsivityErrorKind as Kind, read_responsivities, responsivities,
 };
 use nanospectra::{Bins, Grid, Nodes, Observer, Power};
 use proptest::prelude::*;
@@ -38,29 +38,29 @@ fn a_table_may_be_written_in_many_ways() {
 
 #[test]
 fn a_wrong_table_says_where_and_what() {
-    let cases: [(&str, u32, Problem, &str); 17] = [
-        ("", 1, Problem::MissingRows, "the table ends before the grid does"),
-        ("# only\n", 2, Problem::MissingRows, "before"),
-        ("400,1,2\n401,1,2\n", 3, Problem::MissingRows, "before"),
-        ("400,1,2\n401,1,2\n402,1,2\n403,1,2\n", 4, Problem::TooManyRows, "more rows"),
-        ("400,1,2\n402,1,2\n", 2, Problem::AnotherWavelength, "wavelength"),
-        ("400.01,1,2\n", 1, Problem::AnotherWavelength, "wavelength"),
-        ("# a\n\nnm,a,b\n401,1,2\n", 4, Problem::AnotherWavelength, "wavelength"),
-        ("nm,a,b\n400,1\n", 2, Problem::MissingColumn, "a column is missing"),
-        ("400,1,2,3\n", 1, Problem::MoreColumns, "more columns"),
-        ("400,1,2,\n", 1, Problem::MoreColumns, "more columns"),
-        ("400,1,\n", 1, Problem::NoNumber, "not a number"),
-        ("400,1,x\n", 1, Problem::NoNumber, "not a number"),
-        ("400,1,2 3\n", 1, Problem::NoNumber, "not a number"),
-        ("400,1,0x1\n", 1, Problem::NoNumber, "not a number"),
-        ("400,1,NaN\n", 1, Problem::NoNumber, "not a number"),
-        ("400,1,1e39\n", 1, Problem::TooLarge, "too large"),
-        ("nm,a,b\nnm,a,b\n", 2, Problem::NoNumber, "not a number"),
+    let cases: [(&str, u32, Kind, &str); 17] = [
+        ("", 1, Kind::MissingRows, "the table ends before the grid does"),
+        ("# only\n", 2, Kind::MissingRows, "before"),
+        ("400,1,2\n401,1,2\n", 3, Kind::MissingRows, "before"),
+        ("400,1,2\n401,1,2\n402,1,2\n403,1,2\n", 4, Kind::TooManyRows, "more rows"),
+        ("400,1,2\n402,1,2\n", 2, Kind::AnotherWavelength, "wavelength"),
+        ("400.01,1,2\n", 1, Kind::AnotherWavelength, "wavelength"),
+        ("# a\n\nnm,a,b\n401,1,2\n", 4, Kind::AnotherWavelength, "wavelength"),
+        ("nm,a,b\n400,1\n", 2, Kind::MissingColumn, "a column is missing"),
+        ("400,1,2,3\n", 1, Kind::MoreColumns, "more columns"),
+        ("400,1,2,\n", 1, Kind::MoreColumns, "more columns"),
+        ("400,1,\n", 1, Kind::NoNumber, "not a number"),
+        ("400,1,x\n", 1, Kind::NoNumber, "not a number"),
+        ("400,1,2 3\n", 1, Kind::NoNumber, "not a number"),
+        ("400,1,0x1\n", 1, Kind::NoNumber, "not a number"),
+        ("400,1,NaN\n", 1, Kind::NoNumber, "not a number"),
+        ("400,1,1e39\n", 1, Kind::TooLarge, "too large"),
+        ("nm,a,b\nnm,a,b\n", 2, Kind::NoNumber, "not a number"),
     ];
-    for (csv, line, problem, says) in cases {
+    for (csv, line, kind, says) in cases {
         let read: Result<Small, _> = read_responsivities(csv);
         let error = read.expect_err("a wrong table");
-        assert_eq!(error, ResponsivityError { line, problem }, "{csv:?}");
+        assert_eq!(error, ResponsivityError { line, kind }, "{csv:?}");
         let text = error.to_string();
         assert!(text.starts_with(&format!("line {line}: ")) && text.contains(says), "{text}");
     }

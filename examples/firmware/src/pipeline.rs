@@ -4,7 +4,7 @@ use crate::readings::EXPOSURE;
 use nanospectra::color::{Cct, Lab, Xyz};
 use nanospectra::math::Fast;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter};
-use nanospectra::sensor::{Calibration, Meter, Unusable};
+use nanospectra::sensor::{Calibration, Meter, ReadingError};
 
 /// Basic counts to XYZ with Y in lux: the smooth spectrum behind the nominal channels, seen by the CIE 1931 observer.
 pub static TO_XYZ: Calibration<8> = Calibration::from_rows([
@@ -32,14 +32,14 @@ pub struct Color {
 }
 
 /// Saturation, darkness and negative sums are looked for on the way.
-pub fn measure(counts: &[u16; 8]) -> Result<Color, Unusable> {
+pub fn measure(counts: &[u16; 8]) -> Result<Color, ReadingError> {
     let xyz = METER.xyz(counts)?;
     let cct = xyz.uv1960().map_or(Cct::OffLocus, |uv| uv.cct());
     Ok(Color { xyz, cct, lab: xyz.lab_with::<Fast>(WHITE) })
 }
 
 /// Lux, CCT and Duv, without one float.
-pub fn measure_fixed(counts: &[u16; 8]) -> Result<(u32, Option<FixedCct>), Unusable> {
+pub fn measure_fixed(counts: &[u16; 8]) -> Result<(u32, Option<FixedCct>), ReadingError> {
     let xyz = FIXED_METER.xyz(counts)?;
     Ok((xyz.lux(), xyz.cct()))
 }

@@ -1,12 +1,13 @@
 //! What an AS7341 has said: counts of its channels F1 to F8, all in one exposure.
 //!
-//! No chip was at hand: these are counts of the nominal channels (`nanospectra::sensor::nominal`) under lamps of the
-//! CIE, at the illuminance given. What a chip on a bench says has noise, and channels 5 to 10 nm elsewhere.
+//! No chip was at hand: these are counts of the nominal channels (`nanospectra::sensor::chip::as7341::NOMINAL`) under
+//! lamps of the CIE, at the illuminance given. What a chip on a bench says has noise, and channels 5 to 10 nm
+//! elsewhere.
 
-use nanospectra::sensor::Exposure;
+use nanospectra::sensor::{Exposure, chip::as7341};
 
 /// Gain 16, ATIME 29, ASTEP 599: 50 ms, and full scale is 18 000.
-pub static EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
+pub static EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 
 /// Illuminant A at 500 lx.
 pub static INCANDESCENT: [u16; 8] = [474, 874, 1636, 2537, 3523, 4555, 7046, 9000];

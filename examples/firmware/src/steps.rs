@@ -9,7 +9,7 @@ use nanospectra::color::{Cct, Lab, Xyz};
 use nanospectra::math::Fast;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedObserver, FixedXyz};
-use nanospectra::sensor::{BasicCounts, Unusable};
+use nanospectra::sensor::{BasicCounts, ReadingError};
 use nanospectra::{Curve, Nodes, Observer, Power};
 
 /// Measures a step, in whatever it is that it measures.
@@ -45,11 +45,11 @@ pub fn all(meter: &mut impl Meter) {
 }
 
 /// What a step says, and something to say before it.
-struct Outcome<T>(Result<T, Unusable>);
+struct Outcome<T>(Result<T, ReadingError>);
 
 impl<T> Default for Outcome<T> {
     fn default() -> Self {
-        Outcome(Err(Unusable::TooDark))
+        Outcome(Err(ReadingError::TooDark))
     }
 }
 

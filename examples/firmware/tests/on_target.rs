@@ -10,7 +10,7 @@
 
 use as7341::{As7341, Gain};
 use nanospectra::color::{Cct, Xyz};
-use nanospectra::sensor::{Exposure, Unusable};
+use nanospectra::sensor::{ReadingError, chip::as7341};
 use nanospectra_firmware::bits;
 use nanospectra_firmware::mock_bus::{As7341Registers, NoDelay};
 use nanospectra_firmware::pipeline::{Color, TO_XYZ, measure};
@@ -115,9 +115,9 @@ fn limits(checks: &mut Checks) {
     let saturated = measure(&counts);
     checks.that(
         "a channel at full scale is saturated, and named",
-        matches!(saturated, Err(Unusable::Saturated { channels }) if channels.bits() == 0b1000_0100),
+        matches!(saturated, Err(ReadingError::Saturated { channels }) if channels.bits() == 0b1000_0100),
     );
-    checks.that("no counts are too dark", measure(&[0; 8]) == Err(Unusable::TooDark));
+    checks.that("no counts are too dark", measure(&[0; 8]) == Err(ReadingError::TooDark));
     let [equal, full] = [[5000; 8], [17_999; 8]].map(|counts| measure(&counts).unwrap_or(NOTHING));
     checks.that("all equal", near(equal.xyz.to_array(), [662.16215, 661.20604, 846.90953], 1e-3));
     checks.that(
@@ -128,7 +128,7 @@ fn limits(checks: &mut Checks) {
     checks.that("the same color at any brightness", near(cct, [7262.05; 2], 0.8));
     checks.that(
         "a deep red alone is no light that the calibration knows",
-        matches!(measure(&[0, 0, 0, 0, 0, 0, 0, 9000]), Err(Unusable::Negative { xyz }) if xyz.y < 0.0),
+        matches!(measure(&[0, 0, 0, 0, 0, 0, 0, 9000]), Err(ReadingError::Negative { xyz }) if xyz.y < 0.0),
     );
 }
 
@@ -147,12 +147,12 @@ fn dark(checks: &mut Checks) {
     let color = EXPOSURE.basic_counts_above(&levels, &noise).and_then(|basic| TO_XYZ.xyz(&basic));
     checks.that(
         "noise about dark is no color",
-        matches!(color, Err(Unusable::Negative { xyz }) if xyz.z < 0.0 && xyz.y > 0.0),
+        matches!(color, Err(ReadingError::Negative { xyz }) if xyz.z < 0.0 && xyz.y > 0.0),
     );
     let strict = EXPOSURE.with_floor(10.0);
     checks.that(
         "nor light, for a floor of 10",
-        strict.basic_counts_above(&levels, &noise) == Err(Unusable::TooDark),
+        strict.basic_counts_above(&levels, &noise) == Err(ReadingError::TooDark),
     );
 }
 
@@ -167,5 +167,5 @@ fn driver(checks: &mut Checks) {
     );
     let (bus, _) = chip.destroy();
     let (atime, astep) = (bus.register(0x81), u16::from_le_bytes([bus.register(0xca), bus.register(0xcb)]));
-    checks.that("in the exposure of the recording", Exposure::as7341(16.0, atime, astep) == EXPOSURE);
+    checks.that("in the exposure of the recording", as7341::exposure(16.0, atime, astep) == EXPOSURE);
 }

@@ -1,9 +1,10 @@
 //! Counts of a chip to XYZ in integers.
 
 use crate::sensor::fixed::FixedXyz;
-use crate::sensor::{Calibration, Channels, Exposure, Unusable};
+use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 
-/// [`Meter`](crate::sensor::Meter) in integers: exposure, dark level and calibration in weights of 31 bits.
+/// A light meter in integers: the exposure, dark level and calibration of a [`Meter`](crate::sensor::Meter) as weights
+/// of 31 bits.
 ///
 /// # Accuracy
 /// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight were
@@ -28,17 +29,18 @@ pub struct FixedMeter<const C: usize> {
 const LARGEST_SUM: f64 = (1_u32 << 30) as f64;
 
 impl<const C: usize> FixedMeter<C> {
-    /// A meter that reads with this exposure; `None` if all weights are zero, one is no number, or they are
+    /// A meter for readings with this exposure; `None` if all weights are zero, one is no number, or they are
     /// beyond 1e-15..1e15 or so of what is usual. For `const` use:
     /// it computes in f64.
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Option<Self> {
-        Self::above(exposure, &[0.0; C], calibration)
+        Self::new_above(exposure, &[0.0; C], calibration)
     }
 
-    /// The same above these dark levels, in counts of the exposure; `None` too if one is not within 0..=65 535.
+    /// A meter that first takes these dark levels, in counts of the exposure, off each channel; `None` too if one is
+    /// not within 0..=65 535.
     #[must_use]
-    pub const fn above(
+    pub const fn new_above(
         exposure: &Exposure,
         dark_levels: &[f32; C],
         calibration: &Calibration<C>,
@@ -93,13 +95,13 @@ impl<const C: usize> FixedMeter<C> {
         Some(FixedMeter { columns, start, fraction, full_scale, floor: ceiling(total) })
     }
 
-    /// XYZ.
+    /// The tristimulus values of one reading.
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below
     /// zero.
     #[inline]
-    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, Unusable> {
+    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
         let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
         for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
             let count = u32::from(*count);
@@ -110,10 +112,10 @@ impl<const C: usize> FixedMeter<C> {
             z += times(count, *to_z);
         }
         if headroom >= 0 || total < self.floor {
-            return Err(Unusable::because(counts, self.full_scale.into()));
+            return Err(ReadingError::because(counts, self.full_scale.into()));
         }
         let xyz = FixedXyz::new([x, y, z], self.fraction);
-        if x | y | z < 0 { Err(Unusable::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
+        if x | y | z < 0 { Err(ReadingError::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
     }
 
     /// The channels at or above full scale.

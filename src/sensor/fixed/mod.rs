@@ -1,4 +1,4 @@
-//! The integer path, for cores without an FPU: counts to XYZ, illuminance, CCT and Duv without one float.
+//! The same calibration in integers, for cores without an FPU: counts to XYZ, illuminance, CCT and Duv.
 //!
 //! A Cortex-M0 multiplies 32 bits in one instruction and takes a hundred for a float. The weights are integers
 //! here, scaled so that no sum can overflow whatever the counts, and the sums stay exact to a few units of 2^-30.
@@ -19,7 +19,7 @@
 //! assert_eq!(xyz.lux(), 1000);
 //! let Some(FixedCct::Near { cct_k, duv_e6, .. }) = xyz.cct() else { return Ok(()) };
 //! assert!((6450..6550).contains(&cct_k) && (2900..3700).contains(&duv_e6)); // D65: 6503 K, Duv 0.0032
-//! # Ok::<(), nanospectra::sensor::Unusable>(())
+//! # Ok::<(), nanospectra::sensor::ReadingError>(())
 //! ```
 
 mod cct;

@@ -40,7 +40,7 @@ pub struct FixedObserver<const C: usize, const N: usize, G = crate::grid::Bins<3
 }
 
 impl<const C: usize, const N: usize, G: Grid> FixedObserver<C, N, G> {
-    /// The integer twin of `observer`; `None` if its weights are all zero, one is no number, or there are more than
+    /// `observer` in integers; `None` if its weights are all zero, one is no number, or there are more than
     /// 4096 bands. For `const` use: it computes in f64.
     #[must_use]
     pub const fn new<Q: Quantity>(observer: &Observer<C, N, Q, G>) -> Option<Self> {

@@ -30,7 +30,7 @@ impl FixedXyz {
         self.fraction
     }
 
-    /// The same in floats.
+    /// The same values in floating point.
     #[must_use]
     pub fn to_xyz(self) -> Xyz {
         // By the exponent alone: a core without an FPU needs no multiplication for it.
@@ -99,7 +99,8 @@ impl FixedXyz {
     /// black.
     ///
     /// # Accuracy
-    /// 0.13 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums above 2^20.
+    /// 0.13 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums above
+    /// 2^20.
     ///
     /// # Cost
     /// From counts on 1700 instructions on a Cortex-M0, where [`Uv1960::cct`](crate::color::Uv1960::cct) alone takes

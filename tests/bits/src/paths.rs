@@ -5,7 +5,7 @@ use nanospectra::color::RgbBands;
 use nanospectra::color::{Rgb, Srgb};
 use nanospectra::matter::{Donaldson, Dye, Mirror, Phosphor, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::sensor::{Bend, DeadTime};
+use nanospectra::sensor::{DeadTime, Nonlinearity};
 use nanospectra::{Light, Power, Reflectance};
 
 /// Few bands: the smallest part has 16 KB for all of these.
@@ -86,7 +86,7 @@ fn linearity(hash: &mut Hash) {
         let rate = 2e6 * random.unit();
         hash.one(counter.counted(rate));
         hash.one(counter.arrived(rate).unwrap_or(-1.0));
-        if let Some(bend) = Bend::new([0.6 * random.unit() - 0.4, 0.2 * random.unit()]) {
+        if let Some(bend) = Nonlinearity::new([0.6 * random.unit() - 0.4, 0.2 * random.unit()]) {
             hash.one(bend.signal(random.unit()).unwrap_or(-1.0));
         }
     }

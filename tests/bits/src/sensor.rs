@@ -7,10 +7,12 @@ use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter, FixedObserver, FixedXyz};
 use nanospectra::sensor::{
-    AutoExposure, BasicCounts, Calibration, Count, Drift, Exposure, Fit, Flicker, Meter, Noise,
-    Reconstruction, Unusable, amplitude_at, nominal, nonnegative_spectrum,
+    AutoExposure, BasicCounts, Calibration, Count, Drift, Exposure, Fit, Flicker, Meter, Noise, ReadingError,
+    Reconstruction, amplitude_at,
+    chip::{as7341, tcs3472},
+    nonnegative_spectrum,
 };
-use nanospectra::{Light, Nodes, Power};
+use nanospectra::{Light, Nodes, Power, const_unwrap};
 
 pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("readings", Hash::of(readings));
@@ -24,7 +26,7 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
 pub fn readings(hash: &mut Hash) {
     let mut random = Random(0x5eed_c417);
     let exposures =
-        [Exposure::as7341(16.0, 29, 599), Exposure::tcs3472(4.0, 0xc0), Exposure::new(0.5, 1.3, 0x00ff_ffff)];
+        [as7341::exposure(16.0, 29, 599), tcs3472::exposure(4.0, 0xc0), Exposure::new(0.5, 1.3, 0x00ff_ffff)];
     for exposure in &exposures {
         for k in 0..48 {
             // Every row of its own size; some weights are negative.
@@ -61,8 +63,8 @@ fn reading<T: Count>(
                     hash.all(&[lab.l, lab.a, lab.b]);
                 }
             }
-            Err(Unusable::Saturated { channels }) => hash.word(channels.bits()),
-            Err(Unusable::Negative { xyz }) => hash.all(&xyz.to_array()),
+            Err(ReadingError::Saturated { channels }) => hash.word(channels.bits()),
+            Err(ReadingError::Negative { xyz }) => hash.all(&xyz.to_array()),
             Err(_) => hash.word(0),
         }
     }
@@ -70,10 +72,10 @@ fn reading<T: Count>(
 
 /// The same chips by `Meter` and in integers: random counts, random chromaticities, random spectra of 16 bits.
 fn fixed(hash: &mut Hash) {
-    const EXPOSURE: Exposure = Exposure::as7341(16.0, 29, 599);
+    const EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
     static TO_XYZ: Calibration<8> = SMOOTH.seen_by(&EYE);
-    static FLOATS: Meter<8> = Meter::new(&EXPOSURE, &TO_XYZ).above(&[3.5; 8]);
-    static INTEGERS: FixedMeter<8> = FixedMeter::above(&EXPOSURE, &[3.5; 8], &TO_XYZ).unwrap();
+    static FLOATS: Meter<8> = Meter::new_above(&EXPOSURE, &[3.5; 8], &TO_XYZ);
+    static INTEGERS: FixedMeter<8> = FixedMeter::new_above(&EXPOSURE, &[3.5; 8], &TO_XYZ).unwrap();
     static BANDS: FixedObserver<3, 31, TenNm> = FixedObserver::new(&EYE).unwrap();
     let mut random = Random(0x5eed_1234);
     for _ in 0..256 {
@@ -83,7 +85,7 @@ fn fixed(hash: &mut Hash) {
         }
         match INTEGERS.xyz(&counts) {
             Ok(xyz) => temperature(hash, xyz),
-            Err(Unusable::Negative { xyz }) => hash.all(&xyz.to_array()),
+            Err(ReadingError::Negative { xyz }) => hash.all(&xyz.to_array()),
             Err(_) => hash.word(0),
         }
         let xyz = random.bins().map(|share: f32| (0.2 + share) * 1e9);
@@ -112,12 +114,9 @@ fn temperature(hash: &mut Hash, xyz: FixedXyz) {
 }
 
 type TenNm = Nodes<400, 700>;
-static CHIP: Observer<8, 31, Power, TenNm> = nominal::AS7341.fold(Curve::Step);
+static CHIP: Observer<8, 31, Power, TenNm> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, TenNm> = CIE_1931.fold(Curve::Step);
-static SMOOTH: Reconstruction<8, 31, TenNm> = match Reconstruction::smooth(&CHIP, 0.95, 0.01) {
-    Ok(spectrum) => spectrum,
-    Err(_) => panic!("the channels do not tell the spectrum"),
-};
+static SMOOTH: Reconstruction<8, 31, TenNm> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01));
 
 /// Spectra behind counts: the matrix that was made while compiling, what it says, and the search without negative
 /// powers.
@@ -156,7 +155,7 @@ fn noise_flicker(hash: &mut Hash) {
     let mut random = Random(0x5eed_7077);
     let to_xyz = SMOOTH.seen_by(&EYE);
     let noise = Noise { electrons_per_count: 20.0, read_counts: 2.5 };
-    let ladder = [1.0, 4.0, 16.0, 64.0].map(|gain| Exposure::as7341(gain, 29, 599));
+    let ladder = [1.0, 4.0, 16.0, 64.0].map(|gain| as7341::exposure(gain, 29, 599));
     for k in 1..32 {
         let counts: [u16; 8] = random.bins().map(|share: f32| (500.0 * k as f32 * (0.5 + share)) as u16);
         let covariance = to_xyz.covariance(&noise.variances(&ladder[2], &counts));

@@ -8,7 +8,7 @@ use nanospectra::color::{Adaptation, Cat16, Lab, Rgb, RgbSpace, Srgb, Xy, Xyz};
 use nanospectra::observer::{CIE_1931, CIE_1964, V_PHOTOPIC};
 use nanospectra::path::{Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
-use nanospectra::sensor::nominal;
+use nanospectra::sensor::chip;
 use nanospectra::{Curve, FineObserver, Grid, Light, Observer, Power};
 
 /// The most parts that a scene may have.
@@ -60,7 +60,7 @@ pub struct Absolute {
 
 /// A chip in place of the eye.
 pub struct Sensor {
-    pub name: &'static str,
+    pub name: String,
     pub peaks_nm: Vec<f32>,
     /// Irradiance weighted by the channel's responsivity, which is 1 at its peak; in W/m2 if the lamp has a level.
     pub channels: Vec<f32>,
@@ -246,15 +246,24 @@ fn sensor<const N: usize, G: Grid>(
     leaving: &Light<N, G>,
 ) -> Result<Option<Sensor>, Failure> {
     let Some(at) = &recipe.scene.sensor else { return Ok(None) };
-    if at.get_ref() != "AS7341" {
-        return Err(recipe.wrong(at, "no sensor of this name; use \"AS7341\" (nominal channels F1 to F8)"));
-    }
-    let chip: Observer<8, N, Power, G> = nominal::AS7341.fold(Curve::Step);
-    let (channels, bare) = (chip.sees(leaving), chip.sees(lit));
+    let chip = chip::named(at.get_ref()).filter(|chip| chip.peak_nm(0).is_some());
+    let Some(chip) = chip else {
+        let known = chip::ALL.iter().filter(|chip| chip.peak_nm(0).is_some());
+        let names = known.map(|chip| format!("\"{}\"", chip.name)).collect::<Vec<_>>().join(", ");
+        return Err(
+            recipe.wrong(at, format_args!("no sensor of this name; use one of {names} (nominal channels)"))
+        );
+    };
+    let alone = |channel: usize| -> Option<(f32, [f32; 2])> {
+        let observer: Observer<1, N, Power, G> = chip.nominal(channel)?;
+        let ([got], [bare]) = (observer.sees(leaving), observer.sees(lit));
+        Some((chip.peak_nm(channel)?, [got, bare]))
+    };
+    let (peaks_nm, seen): (Vec<f32>, Vec<[f32; 2]>) = (0..chip.channels.len()).filter_map(alone).unzip();
     Ok(Some(Sensor {
-        name: "AS7341, nominal",
-        peaks_nm: vec![415.0, 445.0, 480.0, 515.0, 555.0, 590.0, 630.0, 680.0],
-        channels: channels.into(),
-        of_lamp: channels.iter().zip(bare).map(|(got, bare)| (bare > 0.0).then(|| got / bare)).collect(),
+        name: format!("{}, nominal", chip.name),
+        peaks_nm,
+        channels: seen.iter().map(|[got, _]| *got).collect(),
+        of_lamp: seen.iter().map(|[got, bare]| (*bare > 0.0).then(|| got / bare)).collect(),
     }))
 }

@@ -4,17 +4,13 @@ use crate::failure::Failure;
 use crate::input::text::check_stdin;
 use crate::sensor::chip::Chip;
 use clap::ValueEnum;
+use nanospectra::sensor::chip::{ALL, as7341};
 use std::path::PathBuf;
 
 const INPUT: &str = "\
 The log:
   CSV in UTF-8 with a heading: one row a reading, raw counts. '#' starts a comment line. Columns in any order:
-    as7341         gain, atime, astep; f1 .. f8
-    as7343         gain, atime, astep; f1, f2, fz, f3, f4, f5, fy, fxl, f6, f7, f8   (TCS3448 too)
-    as7262         gain, cycles; v, b, g, y, o, r                       (450 500 550 570 600 650 nm)
-    as7265x        gain, cycles; 410, 435, 460, .. 940
-    tcs3472        gain, atime; red, green, blue, clear
-    opt4048        ch0, ch1, ch2        (codes: mantissa shifted left by the exponent)
+CHIPS
     custom         gain, time_ms, full_scale; every other column is a channel
   gain is the factor (0.5, 1, 2, ..), not the register's code. Also known: time (seconds, for flicker), label
   (readings in a row with the same label are one run), temperature_c (passed on), dark_NAME for each channel: its count in
@@ -28,7 +24,8 @@ What is known of the chip:
   step. With --unit absolute they are basic counts (counts per ms at gain 1) for each W/m2, and lux and PPFD follow.
   --calibration FILE: either three rows X, Y, Z (heading row, NAME, ..) that basic counts are multiplied by, or
   patches (heading NAME, .., X, Y, Z): rows of basic counts and the XYZ that they should come to, fitted with errors
-  relative to Y. Y is in lux unless --unit relative says otherwise. (opt4048 has TI's matrix, and its lux.)
+  relative to Y. Y is in lux unless --unit relative says otherwise.
+  Chips whose maker publishes a matrix are measured by that.
 
 Conventions:
   CIE 1931 2 degree observer. Uncertainties are standard ones (k = 1) and of noise alone: without --electrons-per-count
@@ -36,9 +33,20 @@ Conventions:
   Basic counts to light: the smoothest spectrum that explains them, in bins of 10 nm; only where a channel sees.
   'next' is the exposure for the next reading of the same light.";
 
+/// [`INPUT`] with a line for each chip that the library knows.
+fn help() -> String {
+    let line = |chip: &'static nanospectra::sensor::chip::Chip| {
+        let settings = Chip(Some(chip)).settings().join(", ");
+        let mark = if settings.is_empty() { "" } else { "; " };
+        let (name, channels) = (chip.name.to_lowercase(), chip.channels.join(", "));
+        format!("    {name:<14} {settings}{mark}{channels}   ({})\n", chip.summary)
+    };
+    INPUT.replace("CHIPS\n", &ALL.into_iter().map(line).collect::<String>())
+}
+
 /// Color, illuminance, spectrum, uncertainty and flicker from a log of a color sensor's counts.
 #[derive(Debug, clap::Args)]
-#[command(after_help = INPUT)]
+#[command(after_help = help())]
 pub struct Args {
     /// The log of counts; '-' is standard input. Without one: simulated readings of known lamps by an AS7341
     #[arg(value_name = "LOG")]
@@ -101,7 +109,7 @@ impl Args {
     pub fn check(&self) -> Result<(), Failure> {
         let inputs = [&self.log, &self.responsivity, &self.calibration, &self.dark];
         check_stdin(inputs.into_iter().flatten())?;
-        if self.log.is_none() && self.sensor != Chip::As7341 {
+        if self.log.is_none() && self.sensor.title() != as7341::CHIP.name {
             return Err(Failure::of("--sensor", "the simulated log is of an AS7341; give the LOG of yours"));
         }
         if self.responsivity.is_some() && self.calibration.is_some() && self.unit.is_some() {

@@ -6,7 +6,7 @@ use crate::sensor::calibration;
 use crate::sensor::chip::{BINS, Chip, Grid};
 use crate::sensor::responsivity;
 use nanospectra::observer::{CIE_1931, KM};
-use nanospectra::sensor::{ALPHA, Calibration, Noise, Reconstruction};
+use nanospectra::sensor::{Calibration, DEFAULT_ALPHA, Noise, Reconstruction};
 use nanospectra::{Curve, Observer, Power};
 use std::sync::LazyLock;
 
@@ -59,7 +59,8 @@ impl Setup {
             (None, None) => (None, Source::Unknown),
         };
         let chip = args.sensor;
-        if source == Source::Unknown && args.calibration.is_none() && chip != Chip::Opt4048 {
+        let published = chip.0.and_then(|chip| chip.to_xyz);
+        if source == Source::Unknown && args.calibration.is_none() && published.is_none() {
             let what = format!(
                 "nothing is known of the channels of a {} that would give color; \
                  give --calibration with measured patches, or --responsivity",
@@ -111,7 +112,7 @@ impl<const C: usize> Instrument<C> {
             setup.weights.as_ref().and_then(|rows| rows.as_slice().try_into().ok());
         let place = args.responsivity.as_ref().map_or("--sensor".into(), |path| path.display().to_string());
         let spectrum = weights
-            .map(|rows| Reconstruction::smooth(&Observer::from_weights(rows), CORRELATION, ALPHA))
+            .map(|rows| Reconstruction::smooth(&Observer::from_weights(rows), CORRELATION, DEFAULT_ALPHA))
             .transpose()
             .map_err(|error| Failure::of(place, format_args!("no spectrum from these; {error}")))?;
         let of_spectrum = spectrum.map(|spectrum| spectrum.seen_by(&EYE).scaled(KM));
@@ -137,9 +138,11 @@ impl<const C: usize> Instrument<C> {
                 if setup.absolute { matrix } else { matrix.scaled(1.0 / KM) }
             }
             (None, None) => {
-                colors.push("XYZ: the matrix that TI gives for the OPT4048, and its lux".into());
-                to_lux = Some(widened(&Calibration::OPT4048_LUX));
-                widened(&Calibration::OPT4048)
+                let chip = setup.chip.0;
+                to_lux = chip.and_then(|chip| chip.to_lux).map(|row| Calibration::from_rows([wide(row)]));
+                let lux = if to_lux.is_some() { ", and its lux" } else { "" };
+                colors.push(format!("XYZ: the published matrix of the {}{lux}", setup.chip.title()));
+                Calibration::from_rows(chip.and_then(|chip| chip.to_xyz).unwrap_or_default().map(wide))
             }
         };
         let seen = std::array::from_fn(|bin| {
@@ -151,9 +154,7 @@ impl<const C: usize> Instrument<C> {
     }
 }
 
-/// A matrix for three channels as one for `C`, which is 3.
-fn widened<const C: usize, const D: usize>(matrix: &Calibration<3, D>) -> Calibration<C, D> {
-    Calibration::from_rows(
-        matrix.rows().map(|row| std::array::from_fn(|channel| row.get(channel).copied().unwrap_or(0.0))),
-    )
+/// A row for as many channels as there are, which are `C`.
+fn wide<const C: usize>(row: &[f32]) -> [f32; C] {
+    std::array::from_fn(|channel| row.get(channel).copied().unwrap_or(0.0))
 }

@@ -2,7 +2,6 @@
 
 use crate::output::json::single;
 use crate::sensor::Report;
-use crate::sensor::chip::Chip;
 use crate::sensor::instrument::Setup;
 use crate::sensor::measure::{Color, Reading, Status};
 use crate::sensor::runs::Run;
@@ -146,9 +145,13 @@ fn run(run: &Run) -> Value {
     })
 }
 
-/// The share of a flicker that the reading still shows; an OPT4048 does not tell its conversion time.
+/// The share of a flicker that the reading still shows; a chip without settings does not tell its time.
 fn shown(setup: &Setup, reading: &Reading, hz: f32) -> Value {
-    if setup.chip == Chip::Opt4048 { Value::Null } else { single(reading.exposure.residual_modulation(hz)) }
+    if setup.chip.settings().is_empty() {
+        Value::Null
+    } else {
+        single(reading.exposure.residual_modulation(hz))
+    }
 }
 
 /// Whole counts as such.

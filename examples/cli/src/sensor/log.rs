@@ -51,7 +51,7 @@ pub fn read_dark(path: &Path, chip: Chip, channels: &[String]) -> Result<Log, Fa
 
 /// The channels: of a custom sensor every column that is nothing else.
 fn channels(table: &Table, chip: Chip) -> Result<Vec<String>, Failure> {
-    if chip != Chip::Custom {
+    if chip.0.is_some() {
         return Ok(chip.channels().iter().map(|name| (*name).to_owned()).collect());
     }
     let others = ["time", "label", "temperature_c"];
@@ -69,7 +69,7 @@ fn channels(table: &Table, chip: Chip) -> Result<Vec<String>, Failure> {
 
 fn of(table: &Table, chip: Chip, channels: Vec<String>, exposed: bool) -> Result<Log, Failure> {
     let names: Vec<&str> = channels.iter().map(String::as_str).collect();
-    let settings = if exposed { table.places(chip.settings())? } else { Vec::new() };
+    let settings = if exposed { table.places(&chip.settings())? } else { Vec::new() };
     let counts = table.places(&names)?;
     let dark_names: Vec<String> = channels.iter().map(|name| format!("dark_{name}")).collect();
     let dark = if table.heading.iter().any(|name| name.starts_with("dark_")) {
@@ -103,7 +103,7 @@ fn of(table: &Table, chip: Chip, channels: Vec<String>, exposed: bool) -> Result
             settings: values,
             exposure,
             counts: counted(table, row, chip, &counts)?,
-            dark: dark.as_ref().map(|places| counted(table, row, Chip::Custom, places)).transpose()?,
+            dark: dark.as_ref().map(|places| counted(table, row, Chip(None), places)).transpose()?,
             unused: unused.clone(),
         })
     };

@@ -7,7 +7,7 @@ use crate::sensor::instrument::{Instrument, Setup};
 use crate::sensor::log::Entry;
 use nanospectra::color::{Cct, Xy, Xyz};
 use nanospectra::radiometry::ppfd;
-use nanospectra::sensor::{BasicCounts, CctUncertainty, Exposure, Unusable, Variances};
+use nanospectra::sensor::{BasicCounts, CctUncertainty, Exposure, ReadingError, Variances};
 use nanospectra::{Fine, Light};
 
 /// Everything that is known of a reading.
@@ -95,7 +95,7 @@ pub fn reading<const C: usize>(
     }
     let status = match outcome {
         Ok(_) => Status::Ok,
-        Err(Unusable::Saturated { channels }) => {
+        Err(ReadingError::Saturated { channels }) => {
             let named = setup.channels.iter().enumerate().filter(|(k, _)| channels.contains(*k));
             Status::Saturated(named.map(|(_, name)| name.clone()).collect())
         }
@@ -107,7 +107,7 @@ pub fn reading<const C: usize>(
         status,
         basic: None,
         color: None,
-        brightness: Some(brightness).filter(|_| !matches!(outcome, Err(Unusable::Saturated { .. }))),
+        brightness: Some(brightness).filter(|_| !matches!(outcome, Err(ReadingError::Saturated { .. }))),
         next: advice::of(setup.chip, exposure, &entry.settings, &counts),
         notes,
         entry,

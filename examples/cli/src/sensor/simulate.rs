@@ -3,7 +3,7 @@
 //! Whole numbers, sums and square roots alone, so it is the same on every machine, byte for byte.
 
 use nanospectra::radiometry::illuminance;
-use nanospectra::sensor::{AS7341_LADDER, AutoExposure, Exposure, Noise, nominal};
+use nanospectra::sensor::{AutoExposure, Exposure, Noise, chip::as7341, gaussian_responsivities};
 use nanospectra::{Fine, Nodes, Observer, Power, light};
 use std::fmt::Write;
 
@@ -38,7 +38,7 @@ pub fn lamp(name: &str, lux: f32) -> Fine<Power> {
 
 /// A light emitting diode of 30 nm at 525 nm.
 pub fn green_led(lux: f32) -> Fine<Power> {
-    let [shape] = *nominal::gaussians::<1, 471, Nodes<360, 830>>([(525.0, 30.0)]).weights();
+    let [shape] = *gaussian_responsivities::<1, 471, Nodes<360, 830>>([(525.0, 30.0)]).weights();
     at(lux, &Fine::from_bins(shape))
 }
 
@@ -49,7 +49,7 @@ fn at(lux: f32, light: &Fine<Power>) -> Fine<Power> {
 
 /// Basic counts without noise.
 pub fn basic(light: &Fine<Power>) -> [f64; 8] {
-    let chip: &Observer<8, 471, Power, Nodes<360, 830>> = &nominal::AS7341;
+    let chip: &Observer<8, 471, Power, Nodes<360, 830>> = &as7341::NOMINAL;
     chip.sees(light).map(|power| COUNTS_PER_W * f64::from(power))
 }
 
@@ -71,10 +71,10 @@ fn header() -> String {
     let Noise { electrons_per_count, read_counts } = NOISE;
     format!(
         "# Simulated readings of known lamps; made by examples/cli/src/sensor/simulate.rs (nanospectra sensor --simulate), not measured\n\
-         # chip: AS7341 as nanospectra::sensor::nominal has it, {COUNTS_PER_W} basic counts for each W/m2 at a channel's peak\n\
+         # chip: AS7341 as nanospectra::sensor::chip::as7341 has it, {COUNTS_PER_W} basic counts for each W/m2 at a channel's peak\n\
          # light: CIE illuminants at 200 (A), 500 (D65), 300 (FL2), 400 (FL11), 350 (LED-B3), 150 lx (HP1); green LED of\n\
          #   30 nm at 525 nm, 300 lx; D65 of 20000 lx at gain 512; dark: none\n\
-         # exposure: AutoExposure on AS7341_LADDER from its middle; the reading after which it stays is the one here\n\
+         # exposure: AutoExposure on as7341::LADDER from its middle; the reading after which it stays is the one here\n\
          # noise: --electrons-per-count {electrons_per_count} --read-counts {read_counts}, sums of 12 even numbers, rounded; seed {SEED:#x}\n\
          # PWM: LED-B3, 1500 lx when on, {PWM_HZ} Hz, duty {PWM_DUTY}, read without pause, once each 1.0008 ms: 999.2 Hz\n\
          #   (all channels at once, which the chip's six converters cannot)\n\
@@ -92,7 +92,7 @@ struct Log {
 impl Log {
     /// One row: the first reading after which the exposure stays.
     fn settle(&mut self, label: &str, basic: &[f64; 8]) {
-        let Ok(auto) = AutoExposure::new(&AS7341_LADDER) else { return };
+        let Ok(auto) = AutoExposure::new(&as7341::LADDER) else { return };
         let mut place = auto.middle();
         loop {
             let exposure = auto.exposure(place);
@@ -100,15 +100,15 @@ impl Log {
             self.seconds += 1.0;
             let advice = auto.advise(place, &counts);
             if advice.next == place {
-                let steps = f64::from(exposure.time_ms()) / 2.78e-3 / 600.0;
-                return self.write(label, &exposure, (steps.round() as u16 - 1) as u8, 599, &counts);
+                let (_, atime, astep) = as7341::LADDER_SETTINGS[place];
+                return self.write(label, &exposure, atime, astep, &counts);
             }
             place = advice.next;
         }
     }
 
     fn row(&mut self, label: &str, basic: &[f64; 8], gain: f32, atime: u8, astep: u16) {
-        let exposure = Exposure::as7341(gain, atime, astep);
+        let exposure = as7341::exposure(gain, atime, astep);
         let counts = self.counts(basic, &exposure);
         self.seconds += 1.0;
         self.write(label, &exposure, atime, astep, &counts);
@@ -117,7 +117,7 @@ impl Log {
     /// Readings one after the other of a light that is on at the start of each period.
     fn pulses(&mut self, on: &[f64; 8]) {
         let (atime, astep) = PWM_TIME;
-        let exposure = Exposure::as7341(PWM_GAIN, atime, astep);
+        let exposure = as7341::exposure(PWM_GAIN, atime, astep);
         let step = f64::from(exposure.time_ms()) / 1000.0 * PWM_HZ;
         // Periods of light up to a moment, in periods.
         let lit = |periods: f64| periods.floor() * PWM_DUTY + periods.fract().min(PWM_DUTY);

@@ -135,7 +135,7 @@ fn what_is_not_there_is_named() {
     assert_refused(&outcome, &format!("{path}:2: "), "'bins:17,380,730' is not compiled in");
     let (outcome, path) = scene("eye = \"cat\"", "filter.flat = 1");
     assert_refused(&outcome, &format!("{path}:2: "), "CIE 1964");
-    let (outcome, path) = scene("sensor = \"AS7343\"", "filter.flat = 1");
+    let (outcome, path) = scene("sensor = \"AS7342\"", "filter.flat = 1");
     assert_refused(&outcome, &format!("{path}:2: "), "AS7341");
     let (outcome, _) = scene("", "filter.csv = \"not-there.csv\"");
     assert!(outcome.err.contains("not-there.csv: no such file"), "{:?}", outcome.err);

@@ -4,7 +4,7 @@ use crate::run::{Program, number};
 use nanospectra::color::Xyz;
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::radiometry::ppfd;
-use nanospectra::sensor::nominal;
+use nanospectra::sensor::chip::{self, as7262, as7265x, as7341, as7343};
 use nanospectra::{Fine, Power, light};
 use nanospectra_cli::sensor::simulate;
 use serde_json::Value;
@@ -128,7 +128,7 @@ fn measured_responsivities_give_lux_and_photons() {
     // The simulated chip's own, in basic counts for each W/m2, every 3 nm.
     let mut text = "nm,f8,f7,f6,f5,f4,f3,f2,f1\n".to_owned();
     for nm in (360..=830).step_by(2) {
-        let cells = nominal::AS7341.weights().map(|row| f64::from(row[nm - 360]) * simulate::COUNTS_PER_W);
+        let cells = as7341::NOMINAL.weights().map(|row| f64::from(row[nm - 360]) * simulate::COUNTS_PER_W);
         let cells: Vec<String> = cells.iter().rev().map(f64::to_string).collect();
         text += &format!("{nm},{}\n", cells.join(","));
     }
@@ -238,9 +238,9 @@ fn every_chip_sees_equal_energy_as_nearly_white() {
     let flat = light::named("E").expect("equal energy");
     let counts =
         |values: &[f32]| values.iter().map(|value| (value * 400.0).round().to_string()).collect::<Vec<_>>();
-    let eleven = counts(&nominal::AS7343.sees(&flat));
-    let six = counts(&nominal::AS7262.sees(&flat));
-    let wide = counts(&nominal::AS7265X.sees(&nanospectra::Spectrum::flat(1.0)));
+    let eleven = counts(&as7343::NOMINAL.sees(&flat));
+    let six = counts(&as7262::NOMINAL.sees(&flat));
+    let wide = counts(&as7265x::NOMINAL.sees(&nanospectra::Spectrum::flat(1.0)));
     let nm = "410,435,460,485,510,535,560,585,610,645,680,705,730,760,810,860,900,940";
     let cases = [
         ("as7343", "gain,atime,astep,f1,f2,fz,f3,f4,f5,fy,fxl,f6,f7,f8", "0.5,199,599", &eleven),
@@ -254,6 +254,29 @@ fn every_chip_sees_equal_energy_as_nearly_white() {
         assert_near(chip, &reading["xy"][0], 1.0 / 3.0, 0.02);
         assert_near(chip, &reading["xy"][1], 1.0 / 3.0, 0.02);
         assert!(has_note(reading, "NOMINAL"));
+    }
+}
+
+/// Of a chip that the library lists the program needs to be told nothing.
+#[test]
+fn every_chip_of_the_library_is_read() {
+    let help = SENSOR.says(&["--help"]);
+    for chip in chip::ALL {
+        let name = chip.name.to_lowercase();
+        let columns = chip.settings.iter().map(|setting| setting.name).chain(chip.channels.iter().copied());
+        let settings = chip.ladder.first().copied().unwrap_or_default().iter();
+        let counts = chip.channels.iter().map(|_| 40.0);
+        let log = columns.collect::<Vec<_>>().join(",")
+            + "\n"
+            + &settings.copied().chain(counts).map(|value| value.to_string()).collect::<Vec<_>>().join(",")
+            + "\n";
+        let ones = |row: &str| format!("{row}{}\n", ",1".repeat(chip.channels.len()));
+        let matrix = format!("row,{}\n{}", chip.channels.join(","), ["X", "Y", "Z"].map(ones).concat());
+        let matrix = SENSOR.file(&format!("{name}.csv"), &matrix);
+        let reading = &SENSOR.json_with(&log, &["--sensor", &name, "--calibration", &matrix, "-"])[0];
+        assert_eq!((&reading["sensor"], &reading["status"]), (&chip.name.into(), &"ok".into()), "{log}");
+        assert_eq!(reading["next"].is_null(), chip.ladder.is_empty(), "{name}");
+        assert!(help.contains(&format!("{name} ")) && help.contains(chip.summary), "{name}");
     }
 }
 

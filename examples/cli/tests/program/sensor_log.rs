@@ -1,7 +1,7 @@
 //! The log that comes with the command sensor is what its simulation says.
 
 use nanospectra::radiometry::illuminance;
-use nanospectra::sensor::Exposure;
+use nanospectra::sensor::chip::as7341;
 use nanospectra_cli::sensor::simulate;
 
 const SHIPPED: &str = include_str!("../../data/known_lamps.csv");
@@ -21,7 +21,7 @@ fn counts_of_the_log_scatter_about_the_lamps_as_its_header_says() {
         let row = SHIPPED.lines().find(|line| line.split(',').nth(1) == Some(label)).expect("a row");
         let cells: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).skip(1).collect();
         let [gain, atime, astep] = cells[cells.len() - 11..cells.len() - 8] else { panic!("{row}") };
-        let exposure = Exposure::as7341(gain as f32, atime as u8, astep as u16);
+        let exposure = as7341::exposure(gain as f32, atime as u8, astep as u16);
         for (count, basic) in cells[cells.len() - 8..].iter().zip(simulate::basic(&lamp)) {
             let true_count = basic / f64::from(exposure.per_count());
             let shot = true_count * gain / f64::from(simulate::NOISE.electrons_per_count);

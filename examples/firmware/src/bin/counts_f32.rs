@@ -8,7 +8,7 @@
 mod without_panic;
 
 use core::hint::black_box;
-use nanospectra::sensor::Unusable;
+use nanospectra::sensor::ReadingError;
 use nanospectra_firmware::pipeline::{Color, measure};
 
 /// What the bus left in memory.
@@ -23,6 +23,6 @@ fn main() -> ! {
 
 /// As an instrument calls it: apart from this loop, which would keep its constants in registers between readings.
 #[inline(never)]
-fn reading(counts: &[u16; 8]) -> Result<Color, Unusable> {
+fn reading(counts: &[u16; 8]) -> Result<Color, ReadingError> {
     measure(counts)
 }

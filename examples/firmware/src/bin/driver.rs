@@ -6,7 +6,7 @@
 
 use as7341::{As7341, Gain};
 use nanospectra::color::Cct;
-use nanospectra::sensor::Exposure;
+use nanospectra::sensor::chip;
 use nanospectra_firmware::mock_bus::{As7341Registers, NoDelay};
 use nanospectra_firmware::pipeline::TO_XYZ;
 #[cfg(target_os = "none")]
@@ -44,7 +44,7 @@ fn read() -> i32 {
     };
     // The first eight of ten: F1 to F8.
     let [counts @ .., _clear, _nir] = reading.as_array();
-    let exposure = Exposure::as7341(gain.multiplier(), atime, astep);
+    let exposure = chip::as7341::exposure(gain.multiplier(), atime, astep);
 
     let color = exposure.basic_counts(&counts).and_then(|basic| TO_XYZ.xyz(&basic));
     let cct = color.ok().and_then(|xyz| xyz.uv1960()).map(|uv| uv.cct());

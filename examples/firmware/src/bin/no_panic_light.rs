@@ -20,7 +20,7 @@ use nanospectra::radiometry::{
     DiskSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance,
     form_factor, solid_angle,
 };
-use nanospectra::sensor::{Bend, DeadTime};
+use nanospectra::sensor::{DeadTime, Nonlinearity};
 use nanospectra::{Light, Power, Reflectance, Spectrum};
 use nanospectra_firmware::vest::VEST;
 
@@ -53,7 +53,7 @@ fn paths() {
     black_box(Light::<16>::flat(1.0).onto(&coarse).collected().values());
     black_box((
         DeadTime::new(black_box(1e-6)).arrived(1e5),
-        Bend::new(black_box([-0.1])).map(|b| b.signal(0.5)),
+        Nonlinearity::new(black_box([-0.1])).map(|b| b.signal(0.5)),
     ));
 }
 

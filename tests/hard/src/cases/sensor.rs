@@ -5,7 +5,9 @@ use nanospectra::light::D65;
 use nanospectra::math::sqrt;
 use nanospectra::matter::CES;
 use nanospectra::observer::CIE_1931;
-use nanospectra::sensor::{ALPHA, BasicCounts, Calibration, Fit, Reconstruction, nominal};
+use nanospectra::sensor::{
+    BasicCounts, Calibration, DEFAULT_ALPHA, Fit, Reconstruction, chip::as7341, gaussian_responsivities,
+};
 use nanospectra::{Curve, Fine, FineObserver, Nodes, Observer, Power};
 
 pub fn rows(cases: &mut impl Cases) {
@@ -22,7 +24,7 @@ const N: usize = 31;
 type Points = Nodes<400, 700>;
 pub type Chip = Observer<8, N, Power, Points>;
 
-pub static AS7341: Chip = nominal::AS7341.fold(Curve::Step);
+pub static AS7341: Chip = as7341::NOMINAL.fold(Curve::Step);
 
 /// Eight channels 120 nm wide, each of which sees much of what its neighbors see.
 pub static WIDE: Chip = {
@@ -32,7 +34,7 @@ pub static WIDE: Chip = {
         channels[c].0 = 415.0 + 265.0 / 7.0 * c as f64;
         c += 1;
     }
-    let fine: FineObserver<8> = nominal::gaussians(channels);
+    let fine: FineObserver<8> = gaussian_responsivities(channels);
     fine.fold(Curve::Step)
 };
 
@@ -166,7 +168,7 @@ fn patches(first: usize) -> impl Iterator<Item = Fine<Power>> {
 }
 
 fn counts(patch: &Fine<Power>) -> BasicCounts<8> {
-    BasicCounts::new(nominal::AS7341.sees(patch))
+    BasicCounts::new(as7341::NOMINAL.sees(patch))
 }
 
 /// XYZ of the samples that `calibration` was not made from.
@@ -181,7 +183,7 @@ fn judged(calibration: &Calibration<8>) -> [f32; 147] {
 /// By way of 31 bins.
 fn by_spectrum(_: &[f32; 1]) -> [f32; 147] {
     let eye: Observer<3, N, Power, Points> = CIE_1931.fold(Curve::Step);
-    Reconstruction::smooth(&AS7341, SMOOTH, ALPHA)
+    Reconstruction::smooth(&AS7341, SMOOTH, DEFAULT_ALPHA)
         .map_or([f32::NAN; 147], |matrix| judged(&matrix.seen_by(&eye)))
 }
 

@@ -2,12 +2,12 @@
 
 use crate::grid::{Grid, Layout};
 use crate::observer::Observer;
-use crate::sensor::decimal::decimal;
+use crate::sensor::calibrate::decimal::decimal;
 use crate::spectrum::Power;
-use ResponsivityProblem as Problem;
+use ResponsivityErrorKind as Kind;
 use core::fmt;
 
-/// The sensor whose responsivities stand in this CSV text, for [`include_str!`]: read while compiling, so that
+/// Reads a sensor's responsivities from CSV text, as of [`include_str!`], while compiling, so that
 /// the program has the weights and not the text, and a wrong table does not build.
 ///
 /// One row for each node of the grid `G`, in order and complete: the wavelength in nm, then `C` columns,
@@ -49,7 +49,7 @@ pub const fn responsivities<const C: usize, const N: usize, G: Grid>(csv: &str) 
     }
 }
 
-/// The same for a text that is known only at run time.
+/// Reads responsivities from CSV text that is known only at run time.
 ///
 /// # Errors
 /// The line, counted from 1, and what is wrong with it.
@@ -72,34 +72,34 @@ pub const fn read_responsivities<const C: usize, const N: usize, G: Grid>(
         }
         first_line = false;
         if n >= N {
-            return Err(text.error(Problem::TooManyRows));
+            return Err(text.error(Kind::TooManyRows));
         }
         let center = Layout::<G, N>::center(n);
         match nm {
             // Nodes that are no whole nanometers are rounded.
             Ok(nm) if (nm - center).abs() <= 4.0 * f32::EPSILON * center => {}
-            Ok(_) => return Err(text.error(Problem::AnotherWavelength)),
-            Err(problem) => return Err(text.error(problem)),
+            Ok(_) => return Err(text.error(Kind::AnotherWavelength)),
+            Err(kind) => return Err(text.error(kind)),
         }
         let mut c = 0;
         while c < C {
             if !text.separator() {
-                return Err(text.error(Problem::MissingColumn));
+                return Err(text.error(Kind::MissingColumn));
             }
             match text.cell() {
                 Ok(value) => rows[c][n] = value,
-                Err(problem) => return Err(text.error(problem)),
+                Err(kind) => return Err(text.error(kind)),
             }
             c += 1;
         }
         if text.separator() {
-            return Err(text.error(Problem::MoreColumns));
+            return Err(text.error(Kind::MoreColumns));
         }
         text.skip_line();
         n += 1;
     }
     if n < N {
-        return Err(text.error(Problem::MissingRows));
+        return Err(text.error(Kind::MissingRows));
     }
     Ok(Observer::from_rows(rows))
 }
@@ -112,8 +112,8 @@ struct Text<'a> {
 }
 
 impl Text<'_> {
-    const fn error(&self, problem: ResponsivityProblem) -> ResponsivityError {
-        ResponsivityError { line: self.line, problem }
+    const fn error(&self, kind: ResponsivityErrorKind) -> ResponsivityError {
+        ResponsivityError { line: self.line, kind }
     }
 
     /// What is there, 0 at the end.
@@ -161,18 +161,16 @@ impl Text<'_> {
     }
 
     /// The number up to the next separator.
-    const fn cell(&mut self) -> Result<f32, ResponsivityProblem> {
+    const fn cell(&mut self) -> Result<f32, ResponsivityErrorKind> {
         self.skip_blanks();
         let (number, end) = decimal(self.bytes, self.at);
         self.at = end;
         self.skip_blanks();
         match number {
-            Some(_) if !matches!(self.byte(), 0 | b',' | b';' | b'\t' | b'\n' | b'\r') => {
-                Err(Problem::NoNumber)
-            }
-            Some(number) if !number.is_finite() => Err(Problem::TooLarge),
+            Some(_) if !matches!(self.byte(), 0 | b',' | b';' | b'\t' | b'\n' | b'\r') => Err(Kind::NoNumber),
+            Some(number) if !number.is_finite() => Err(Kind::TooLarge),
             Some(number) => Ok(number),
-            None => Err(Problem::NoNumber),
+            None => Err(Kind::NoNumber),
         }
     }
 }
@@ -184,14 +182,14 @@ pub struct ResponsivityError {
     /// The line, counted from 1 with comments and blank lines.
     pub line: u32,
     /// What is wrong there.
-    pub problem: ResponsivityProblem,
+    pub kind: ResponsivityErrorKind,
 }
 
 /// What is wrong with a line of a table of responsivities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum ResponsivityProblem {
+pub enum ResponsivityErrorKind {
     /// A cell is no number with a decimal point.
     NoNumber,
     /// A number is beyond the range of f32.
@@ -208,16 +206,16 @@ pub enum ResponsivityProblem {
     TooManyRows,
 }
 
-impl ResponsivityProblem {
+impl ResponsivityErrorKind {
     const fn text(self) -> &'static str {
         match self {
-            Problem::NoNumber => "a cell is not a number with a decimal point",
-            Problem::TooLarge => "a number is too large",
-            Problem::AnotherWavelength => "the wavelength is not the next one of the grid",
-            Problem::MissingColumn => "a column is missing",
-            Problem::MoreColumns => "there are more columns than channels",
-            Problem::MissingRows => "the table ends before the grid does",
-            Problem::TooManyRows => "the table has more rows than the grid",
+            Kind::NoNumber => "a cell is not a number with a decimal point",
+            Kind::TooLarge => "a number is too large",
+            Kind::AnotherWavelength => "the wavelength is not the next one of the grid",
+            Kind::MissingColumn => "a column is missing",
+            Kind::MoreColumns => "there are more columns than channels",
+            Kind::MissingRows => "the table ends before the grid does",
+            Kind::TooManyRows => "the table has more rows than the grid",
         }
     }
 }
@@ -267,7 +265,7 @@ impl ResponsivityError {
             .with("line ")
             .with_number(self.line)
             .with(": ")
-            .with(self.problem.text())
+            .with(self.kind.text())
     }
 }
 

@@ -1,4 +1,4 @@
-//! The last readings, in fixed memory.
+//! A window over the last readings, in fixed memory.
 
 // (HistoryBuf says the same in fewer words, but its indexing leaves a panic in the program.)
 use heapless::Deque;
@@ -18,7 +18,7 @@ use heapless::Deque;
 pub struct Window<const CAP: usize>(Deque<f32, CAP>);
 
 impl<const CAP: usize> Window<CAP> {
-    /// No readings yet.
+    /// A window without readings.
     #[must_use]
     pub const fn new() -> Self {
         Window(Deque::new())
@@ -38,7 +38,7 @@ impl<const CAP: usize> Window<CAP> {
         self.0.clear();
     }
 
-    /// How many readings there are, 0..=`CAP`.
+    /// The number of readings, 0..=`CAP`.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
@@ -69,7 +69,7 @@ impl<const CAP: usize> Window<CAP> {
         older.iter().chain(newer)
     }
 
-    /// The mean; `None` of nothing. NaN stays NaN.
+    /// The mean of the readings; `None` without any. NaN stays NaN.
     #[must_use]
     pub fn mean(&self) -> Option<f32> {
         if self.is_empty() {
@@ -80,8 +80,8 @@ impl<const CAP: usize> Window<CAP> {
         Some(about + self.iter().map(|reading| reading - about).sum::<f32>() / self.len() as f32)
     }
 
-    /// The median: half of the readings are above it, half below; of an even number the mean of the middle two.
-    /// `None` of nothing, NaN if there is one.
+    /// The median of the readings, which is the mean of the middle two of an even number. `None` without any, NaN if
+    /// there is one.
     ///
     /// # Cost
     /// `CAP` times `CAP` comparisons; no memory, nothing is sorted.

@@ -1,9 +1,10 @@
-//! The matrix that turns basic counts into what is asked for.
+//! The matrix that turns basic counts into XYZ, lux or any other linear result.
 
 use crate::color::Xyz;
-use crate::sensor::{BasicCounts, Unusable};
+use crate::sensor::{BasicCounts, ReadingError};
 
-/// `D` sums over `C` channels: counts to XYZ (`D` = 3), to illuminance or PPFD alone (`D` = 1), to anything linear.
+/// A matrix from the basic counts of `C` channels to `D` results: XYZ (`D` = 3), illuminance or PPFD alone (`D` = 1),
+/// or anything else that is linear.
 ///
 /// It comes from measured patches ([`Fit`](crate::sensor::Fit)), from a reconstruction seen by an eye
 /// ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's application note
@@ -17,19 +18,19 @@ use crate::sensor::{BasicCounts, Unusable};
 pub struct Calibration<const C: usize, const D: usize = 3>([[f32; C]; D]);
 
 impl<const C: usize, const D: usize> Calibration<C, D> {
-    /// From its rows: how much of each channel goes into result `d`.
+    /// A calibration with these rows: row `d` holds the weight of each channel in result `d`.
     #[must_use]
     pub const fn from_rows(rows: [[f32; C]; D]) -> Self {
         Calibration(rows)
     }
 
-    /// The rows.
+    /// The rows: the weight of each channel in each result.
     #[must_use]
     pub const fn rows(&self) -> &[[f32; C]; D] {
         &self.0
     }
 
-    /// The sums.
+    /// Multiplies basic counts by the matrix, without looking at the sign of the results.
     ///
     /// # Accuracy
     /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
@@ -45,7 +46,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         sums
     }
 
-    /// Every result times `k`: a reference lux meter over what this calibration says.
+    /// The same calibration with every result multiplied by `k`, as by a lux meter's reading over this one's.
     #[must_use]
     pub const fn scaled(mut self, k: f32) -> Self {
         let mut d = 0;
@@ -60,7 +61,8 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         self
     }
 
-    /// For a chip whose channels must be multiplied by `factors` to be the one that was calibrated (golden device).
+    /// The same calibration for another chip, whose channels multiplied by `factors` are those of the one that was
+    /// calibrated (the golden device).
     #[must_use]
     pub const fn corrected(mut self, factors: &[f32; C]) -> Self {
         let mut d = 0;
@@ -75,18 +77,20 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         self
     }
 
-    /// For a chip behind a window or a diffuser that passes `transmittance` (above 0) of every wavelength alike.
-    /// Glass with a color belongs into the responsivities: [`Observer::through`](crate::Observer::through).
+    /// The same calibration for a chip behind a window or a diffuser that passes `transmittance` (above 0) of every
+    /// wavelength alike. Glass with a color belongs into the responsivities:
+    /// [`Observer::through`](crate::Observer::through).
     #[must_use]
     pub const fn behind_glass(self, transmittance: f32) -> Self {
         self.scaled(1.0 / transmittance)
     }
 
-    /// For counts in which channels leak: count `i` is the sum over `j` of `crosstalk[i][j]` times the true one.
+    /// The same calibration for counts in which channels leak into each other: count `i` is the sum over `j` of
+    /// `crosstalk[i][j]` times the true one.
     ///
     /// # Errors
-    /// [`Singular`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its row.
-    pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, Singular> {
+    /// [`CrosstalkError`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its row.
+    pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, CrosstalkError> {
         // With M the matrix of the leakage and W the rows here, the new rows solve V M = W: Gauss on M's
         // transpose, with the largest pivot of each column.
         let mut m = [[0.0; C]; C];
@@ -130,7 +134,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
                 d += 1;
             }
             if m[k][k].is_nan() || m[k][k].abs() <= 1e-4 {
-                return Err(Singular);
+                return Err(CrosstalkError);
             }
             i = 0;
             while i < C {
@@ -164,37 +168,22 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     }
 }
 
-impl Calibration<3> {
-    /// TI's matrix for the OPT4048: X, Y and Z on a scale of their own, from the codes of channels 0, 1 and 2.
-    ///
-    /// # Reference
-    /// The data sheet's coefficients as Adafruit's driver for this chip has them.
-    pub const OPT4048: Calibration<3> = Calibration([
-        [2.348_929_92e-4, 4.074_674_41e-5, 9.286_194_04e-5],
-        [-1.896_523_90e-5, 1.989_582_02e-4, -1.697_395_53e-5],
-        [1.208_116_84e-5, -1.588_481_15e-5, 6.740_215_20e-4],
-    ]);
-
-    /// Illuminance in lux from the same codes; same source.
-    pub const OPT4048_LUX: Calibration<3, 1> = Calibration([[0.0, 2.15e-3, 0.0]]);
-}
-
 impl<const C: usize> Calibration<C> {
-    /// XYZ.
+    /// The tristimulus values of one reading.
     ///
     /// # Errors
     /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
     #[inline]
-    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, Unusable> {
+    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, ReadingError> {
         positive(self.apply(basic).into())
     }
 }
 
 /// The color, if no sum is negative.
 #[inline]
-pub(super) fn positive(xyz: Xyz) -> Result<Xyz, Unusable> {
+pub(in crate::sensor) fn positive(xyz: Xyz) -> Result<Xyz, ReadingError> {
     if xyz.x < 0.0 || xyz.y < 0.0 || xyz.z < 0.0 {
-        return Err(Unusable::Negative { xyz });
+        return Err(ReadingError::Negative { xyz });
     }
     Ok(xyz)
 }
@@ -208,15 +197,23 @@ impl<const C: usize, const D: usize> defmt::Format for Calibration<C, D> {
     }
 }
 
-/// Cross-talk that cannot be undone.
+/// Why cross-talk cannot be undone: it mixes channels so that they cannot be told apart again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Singular;
+pub struct CrosstalkError;
 
-impl core::fmt::Display for Singular {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the cross-talk mixes channels so that they cannot be told apart again")
+impl CrosstalkError {
+    /// The reason, for [`const_unwrap!`](crate::const_unwrap) too.
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        "the cross-talk mixes channels so that they cannot be told apart again"
     }
 }
 
-impl core::error::Error for Singular {}
+impl core::fmt::Display for CrosstalkError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.message())
+    }
+}
+
+impl core::error::Error for CrosstalkError {}

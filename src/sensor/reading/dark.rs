@@ -1,4 +1,4 @@
-//! What a chip counts in the dark.
+//! The counts that a chip has in the dark.
 
 use crate::math::Math;
 use crate::sensor::Exposure;
@@ -6,8 +6,8 @@ use crate::sensor::Exposure;
 /// Dark counts of each channel: an offset of the converter, and a dark current that grows with time, gain and
 /// temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dark<const C: usize> {
-    /// Counts whatever the exposure.
+pub struct DarkCounts<const C: usize> {
+    /// Counts that do not depend on the exposure.
     pub offset: [f32; C],
     /// Counts per millisecond at unit gain, at `measured_at_c`.
     pub rate: [f32; C],
@@ -17,14 +17,14 @@ pub struct Dark<const C: usize> {
     pub doubles_every_k: f32,
 }
 
-impl<const C: usize> Dark<C> {
+impl<const C: usize> DarkCounts<C> {
     /// The counts that this exposure has in the dark, at the temperature of the measurement.
     #[must_use]
     pub fn levels(&self, exposure: &Exposure) -> [f32; C] {
         self.grown(exposure, 1.0)
     }
 
-    /// The same at another temperature; `M` provides the exponential.
+    /// The counts that this exposure has in the dark at another temperature; `M` provides the exponential.
     #[must_use]
     pub fn levels_at_with<M: Math>(&self, exposure: &Exposure, celsius: f32) -> [f32; C] {
         let doublings = (celsius - self.measured_at_c) / self.doubles_every_k;

@@ -1,4 +1,4 @@
-//! What comes after the eye and is no sum any more: readings that fall short of the light as it grows.
+//! Read-outs that are not linear: what they report falls short of the light as it grows.
 //!
 //! A path and an observer are linear, so both fold; a read-out is not, and never does. It is applied to what the
 //! observer sees, channel by channel, and undone on what a chip reports before anything else is.
@@ -26,7 +26,7 @@ pub struct DeadTime {
 }
 
 impl DeadTime {
-    /// Busy for so many seconds after each event; fewer than zero count as zero. NaN stays NaN.
+    /// A counter that is busy for so many seconds after each event; a negative time counts as zero. NaN stays NaN.
     #[must_use]
     pub const fn new(seconds: f32) -> Self {
         DeadTime { seconds: if seconds < 0.0 { 0.0 } else { seconds } }
@@ -47,8 +47,8 @@ impl DeadTime {
         arriving / (1.0 + busy)
     }
 
-    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where any number
-    /// may have arrived. NaN stays NaN.
+    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where any
+    /// number may have arrived. NaN stays NaN.
     ///
     /// # Accuracy
     /// There and back 2 units in the last place while a sixth of the time is dead at most, 4 up to half of it; close
@@ -63,27 +63,27 @@ impl DeadTime {
     }
 }
 
-/// A response that bends: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`, rising throughout.
-/// Photodiodes near saturation, amplifiers, converters.
+/// A response that is not linear: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`, rising
+/// throughout. Photodiodes near saturation, amplifiers, converters.
 ///
 /// ```
-/// use nanospectra::sensor::Bend;
+/// use nanospectra::sensor::Nonlinearity;
 /// // Reads 2 % too little at full scale.
-/// let bend = Bend::new([-0.02]).unwrap();
+/// let bend = Nonlinearity::new([-0.02]).unwrap();
 /// assert!((bend.read(0.5) - 0.495).abs() < 1e-7);
 /// assert!((bend.signal(0.495).unwrap() - 0.5).abs() < 1e-7);
 /// assert_eq!(bend.signal(1.01), None); // above full scale
-/// assert_eq!(Bend::new([-0.6]), None); // would fall before full scale
+/// assert_eq!(Nonlinearity::new([-0.6]), None); // would fall before full scale
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bend<const K: usize> {
+pub struct Nonlinearity<const K: usize> {
     coefficients: [f32; K],
 }
 
 /// The bracket halves each time that Newton's step leaves it, and 24 halvings are all the digits there are.
 const STEPS: usize = 32;
 
-impl<const K: usize> Bend<K> {
+impl<const K: usize> Nonlinearity<K> {
     /// From the coefficients of x^2, x^3 ..; `None` if one is not finite or if the response does not rise everywhere
     /// in 0..=1.
     ///
@@ -91,7 +91,7 @@ impl<const K: usize> Bend<K> {
     /// it changes; so a response whose slope comes within some thousandths of zero may be refused too.
     #[must_use]
     pub const fn new(coefficients: [f32; K]) -> Option<Self> {
-        let bend = Bend { coefficients };
+        let bend = Nonlinearity { coefficients };
         // How fast the slope can change at most: sum of k (k - 1) |c_k|.
         let (mut change, mut k) = (0.0, 0);
         while k < K {
@@ -113,7 +113,7 @@ impl<const K: usize> Bend<K> {
         Some(bend)
     }
 
-    /// What is read of `signal`, 0..=1.
+    /// The reading of `signal`, which is 0..=1.
     #[must_use]
     #[inline]
     pub const fn read(&self, signal: f32) -> f32 {

@@ -1,7 +1,7 @@
 //! Least squares without squaring the condition: the triangular factor R of A = Q R, by Householder
 //! reflections.
 
-use crate::sensor::vector::{dot, hypot, less, norm, unit};
+use crate::sensor::calibrate::vector::{dot, hypot, less, norm, unit};
 
 /// `C` unknowns and `D` right-hand sides, fed row by row: memory of C (C + D) whatever the number of rows.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,19 +1,16 @@
-//! Which exposure to take next.
+//! Auto-exposure: which exposure to take for the next reading.
 
 use crate::sensor::{Count, Exposure};
 
 /// A channel that has just saturated would still count this much after the step down: enough to predict from it.
 const AFTER_SATURATION: f32 = 64.0;
 
-/// Advice for the next reading, from a ladder of exposures: the most sensitive one whose brightest channel will
+/// Auto-exposure on a ladder of exposures: advises the most sensitive one whose brightest channel will
 /// stay below a target share of full scale.
 ///
 /// ```
-/// # use nanospectra::sensor::{AS7341_LADDER, AutoExposure};
-/// static AUTO: AutoExposure<'static> = match AutoExposure::new(&AS7341_LADDER) {
-///     Ok(auto) => auto,
-///     Err(_) => panic!("not sorted"),
-/// };
+/// # use nanospectra::sensor::{AutoExposure, chip::as7341};
+/// static AUTO: AutoExposure<'static> = nanospectra::const_unwrap!(AutoExposure::new(&as7341::LADDER));
 /// let start = AUTO.middle();
 /// let advice = AUTO.advise(start, &[120_u16, 300, 280, 210, 0, 0, 0, 0]);
 /// assert!(!advice.saturated && advice.next > start); // there is room for more
@@ -24,7 +21,7 @@ pub struct AutoExposure<'a> {
     target: f32,
 }
 
-/// What to do next.
+/// The exposure that is advised for the next reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Advice {
@@ -36,7 +33,7 @@ pub struct Advice {
 }
 
 impl<'a> AutoExposure<'a> {
-    /// With a ladder from the least to the most sensitive exposure, and a target of 0.8 of full scale.
+    /// Takes a ladder from the least to the most sensitive exposure; the target is 0.8 of full scale.
     ///
     /// # Errors
     /// [`LadderError`]: no exposure at all, one that cannot count, one not more sensitive (gain times time) than
@@ -63,8 +60,8 @@ impl<'a> AutoExposure<'a> {
         if index == 0 { Err(LadderError::Empty) } else { Ok(AutoExposure { ladder, target: 0.8 }) }
     }
 
-    /// With another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end), that the brightest
-    /// channel shall stay below. It moves to less only above (1 + target) / 2, so that it does not swing.
+    /// The same ladder with another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end), that the
+    /// brightest channel shall stay below. It moves to less only above (1 + target) / 2, so that it does not swing.
     #[must_use]
     pub const fn with_target(self, share: f32) -> Self {
         let target = if share > 0.9 {
@@ -92,10 +89,10 @@ impl<'a> AutoExposure<'a> {
 
     /// The next place, from the raw counts of a reading at the place `in_use`.
     ///
-    /// A light that does not change is found in four readings, wherever it begins, on a ladder like [`AS7341_LADDER`]
-    /// (full scales of thousands of counts, steps of up to 8): saturated ones step down until
-    /// 64 counts would be left of a full scale, and what is then counted tells the rest. With NaN among the counts
-    /// it stays.
+    /// A light that does not change is found in four readings, wherever it begins, on a ladder like the
+    /// [AS7341's](crate::sensor::chip::as7341::LADDER) (full scales of thousands of counts, steps of up to 8):
+    /// saturated readings step down until 64 counts would be left of a full scale, and what is then counted tells the
+    /// rest. With NaN among the counts it stays.
     #[must_use]
     pub fn advise<T: Count, const C: usize>(&self, in_use: usize, counts: &[T; C]) -> Advice {
         let in_use = in_use.min(self.ladder.len().saturating_sub(1));
@@ -148,38 +145,30 @@ pub enum LadderError {
     },
 }
 
+impl LadderError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        match self {
+            LadderError::Empty => "no exposure to choose from",
+            LadderError::CannotCount { .. } => {
+                "an exposure has a gain, a time or a full scale that is not above zero"
+            }
+            LadderError::NotSorted { .. } => "an exposure is not more sensitive than the one before",
+        }
+    }
+}
+
 impl core::fmt::Display for LadderError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.message())?;
         match self {
-            LadderError::Empty => f.write_str("no exposure to choose from"),
-            LadderError::CannotCount { index } => {
-                write!(f, "exposure {index} has a gain, a time or a full scale that is not above zero")
-            }
-            LadderError::NotSorted { index } => {
-                write!(f, "exposure {index} is not more sensitive than the one before")
+            LadderError::Empty => Ok(()),
+            LadderError::CannotCount { index } | LadderError::NotSorted { index } => {
+                write!(f, " (exposure {index})")
             }
         }
     }
 }
 
 impl core::error::Error for LadderError {}
-
-/// The AS7341 over four and a half decades of sensitivity: every gain at 50 ms, which averages mains of 50 and of
-/// 60 Hz, 5 ms below that for glaring light, 100 and 200 ms above it.
-pub static AS7341_LADDER: [Exposure; 15] = [
-    Exposure::as7341(0.5, 2, 599),
-    Exposure::as7341(0.5, 8, 599),
-    Exposure::as7341(0.5, 29, 599),
-    Exposure::as7341(1.0, 29, 599),
-    Exposure::as7341(2.0, 29, 599),
-    Exposure::as7341(4.0, 29, 599),
-    Exposure::as7341(8.0, 29, 599),
-    Exposure::as7341(16.0, 29, 599),
-    Exposure::as7341(32.0, 29, 599),
-    Exposure::as7341(64.0, 29, 599),
-    Exposure::as7341(128.0, 29, 599),
-    Exposure::as7341(256.0, 29, 599),
-    Exposure::as7341(512.0, 29, 599),
-    Exposure::as7341(512.0, 59, 599),
-    Exposure::as7341(512.0, 119, 599),
-];

@@ -1,4 +1,4 @@
-//! Counts freed of gain and time, so that readings of different exposures compare.
+//! Counts divided by gain and time, so that readings with different exposures can be compared.
 
 /// Counts per millisecond at unit gain ("basic counts" in the makers' notes), one for each channel; above dark if a
 /// dark level was taken off.
@@ -7,20 +7,20 @@
 pub struct BasicCounts<const C: usize>([f32; C]);
 
 impl<const C: usize> BasicCounts<C> {
-    /// From numbers that are basic counts already: of a log, a simulation, a chip that calibrates itself.
+    /// Takes numbers that are basic counts already, as of a log, a simulation or a chip that calibrates itself.
     #[must_use]
     pub const fn new(values: [f32; C]) -> Self {
         BasicCounts(values)
     }
 
-    /// One number for each channel.
+    /// The basic counts of each channel.
     #[must_use]
     pub const fn values(&self) -> &[f32; C] {
         &self.0
     }
 
-    /// Each channel times its factor. What is the same for every reading is better folded into the
-    /// [`Calibration`](crate::sensor::Calibration).
+    /// The same counts with each channel multiplied by its factor. What is the same for every reading is better folded
+    /// into the [`Calibration`](crate::sensor::Calibration).
     #[must_use]
     pub fn scaled(mut self, factors: &[f32; C]) -> Self {
         for (value, factor) in self.0.iter_mut().zip(factors) {
@@ -29,7 +29,7 @@ impl<const C: usize> BasicCounts<C> {
         self
     }
 
-    /// What the chip would have counted at the temperature its calibration was made at.
+    /// The counts that the chip would have had at the temperature of its calibration.
     #[must_use]
     pub fn without(mut self, drift: &Drift<C>, celsius: f32) -> Self {
         let warmer = celsius - drift.calibrated_at_c;
@@ -47,7 +47,7 @@ impl<const C: usize> defmt::Format for BasicCounts<C> {
     }
 }
 
-/// How the responsivity of each channel changes with temperature: linearly, as data sheets give it.
+/// The change of each channel's responsivity with temperature: linear, as data sheets give it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift<const C: usize> {
     /// Relative change for each kelvin: 1e-3 is 0.1 %/K.

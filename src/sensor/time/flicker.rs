@@ -1,4 +1,4 @@
-//! Light that flickers: what to average over, and how much it flickers.
+//! Flicker: how much a light flickers, and which times average it out.
 //!
 //! A sum over readings takes them at equal steps and each as the mean of its step, as a chip that integrates all
 //! the time has them. It runs over a whole number of periods of the flicker, counted from the first reading; the
@@ -16,7 +16,7 @@ pub const MAINS_PERIODS_MS: f32 = 50.0;
 /// So many periods are missing at most, as a share, where a whole number of them was meant: rates are not round.
 const SLACK: f32 = 1e-5;
 
-/// How much a light flickers.
+/// The flicker of a light: its mean, percent flicker and flicker index.
 ///
 /// # Reference
 /// CIE International Lighting Vocabulary (amplitude of fluctuation, flicker index; IEC 60050-845, 845-22-094);
@@ -41,7 +41,8 @@ pub struct Flicker {
 }
 
 impl Flicker {
-    /// Of readings (lux, counts) taken `rate_hz` times a second of a light that repeats `frequency_hz` times.
+    /// The flicker of readings (lux, counts) taken `rate_hz` times a second of a light that repeats `frequency_hz`
+    /// times.
     ///
     /// NaN among them makes all three numbers NaN (infinity the last two). `None` where there is no answer: less
     /// than one period, fewer than two readings in each, no light (a sum not above zero), a rate or frequency not
@@ -134,7 +135,7 @@ where
 }
 
 impl Exposure {
-    /// How much of a light's flicker of `frequency_hz` a reading still shows: |sinc|, 1 for a time much shorter
+    /// The share of a flicker of `frequency_hz` that a reading still shows: |sinc|, 1 for a time much shorter
     /// than a period, 0 for whole periods.
     ///
     /// # Accuracy
@@ -157,10 +158,10 @@ impl Exposure {
     /// Whether a reading averages a flicker of `frequency_hz`: not more than 0.5 % of it is left.
     ///
     /// ```
-    /// # use nanospectra::sensor::{Exposure, MAINS_FLICKER_HZ};
-    /// let exposure = Exposure::as7341(16.0, 29, 599); // 50.04 ms
+    /// # use nanospectra::sensor::{MAINS_FLICKER_HZ, chip::as7341};
+    /// let exposure = as7341::exposure(16.0, 29, 599); // 50.04 ms
     /// assert!(MAINS_FLICKER_HZ.iter().all(|hz| exposure.averages(*hz)));
-    /// assert!(!Exposure::as7341(16.0, 29, 499).averages(100.0)); // 41.7 ms
+    /// assert!(!as7341::exposure(16.0, 29, 499).averages(100.0)); // 41.7 ms
     /// ```
     #[must_use]
     pub fn averages(&self, frequency_hz: f32) -> bool {
@@ -168,8 +169,8 @@ impl Exposure {
     }
 }
 
-/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms` (to rounding), in ms; `None` if not
-/// even one fits.
+/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms` (to rounding), in ms;
+/// `None` if not even one fits.
 #[must_use]
 pub const fn whole_periods_ms(frequency_hz: f32, at_most_ms: f32) -> Option<f32> {
     let periods = whole(at_most_ms * frequency_hz / 1000.0);

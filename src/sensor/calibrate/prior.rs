@@ -1,11 +1,11 @@
 //! What spectra are usually like: how their bins vary together.
 
 use crate::grid::Grid;
-use crate::sensor::vector::{largest, sqrt};
+use crate::sensor::calibrate::vector::{largest, sqrt};
 use crate::spectrum::Light;
 
-/// How the bins of these lights vary together, each light scaled to a mean of 1: the mean of their products.
-/// Their common shape is part of it, so a reconstruction needs no mean spectrum beside it. For
+/// The covariance of the bins of these lights about zero, each light scaled to a mean of 1: the mean of their
+/// products. Their common shape is part of it, so a reconstruction needs no mean spectrum beside it. For
 /// [`Reconstruction::wiener`](crate::sensor::Reconstruction::wiener).
 ///
 /// A light whose bins sum to zero or less is left out; without lights all is 0.

@@ -1,9 +1,13 @@
-//! What a chip returns, and why a reading may be no measurement.
+//! Raw counts, and the reasons why a reading may be no measurement.
 
 use crate::color::Xyz;
 
 /// A raw count: `u16` of most chips, `u32` of those with wide converters (OPT4048, TCS3530), `f32` of those that
 /// calibrate themselves (AS726x).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no raw count",
+    note = "counts are u16, u32 or f32: say which at the first, as in `[18_000_u16; 8]`"
+)]
 pub trait Count: Copy + sealed::Sealed {
     /// The count as a number; above 2^24 to 24 bits.
     fn to_f32(self) -> f32;
@@ -66,7 +70,7 @@ impl Channels {
     }
 
     /// Those of `counts` at or above `full_scale`.
-    pub(super) fn saturated<T: Count, const C: usize>(counts: &[T; C], full_scale: u32) -> Self {
+    pub(in crate::sensor) fn saturated<T: Count, const C: usize>(counts: &[T; C], full_scale: u32) -> Self {
         let mut channels = Channels::default();
         for (channel, count) in counts.iter().enumerate() {
             if count.headroom(full_scale) >= 0 {
@@ -82,7 +86,7 @@ impl Channels {
         channel < 32 && self.0 >> channel & 1 == 1
     }
 
-    /// How many there are.
+    /// The number of channels in the set.
     #[must_use]
     pub const fn count(self) -> u32 {
         self.0.count_ones()
@@ -95,11 +99,11 @@ impl Channels {
     }
 }
 
-/// Why a reading says nothing about the light.
+/// Why a reading cannot be turned into a color.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum Unusable {
+pub enum ReadingError {
     /// These channels have reached full scale: measure again with less gain or time.
     Saturated {
         /// The channels at or above full scale.
@@ -115,30 +119,30 @@ pub enum Unusable {
     },
 }
 
-impl Unusable {
+impl ReadingError {
     /// Of counts that are saturated or too dark. (Out of line: readings that are fine do not pay for it.)
     #[cold]
     #[inline(never)]
-    pub(super) fn because<T: Count, const C: usize>(counts: &[T; C], full_scale: u32) -> Self {
+    pub(in crate::sensor) fn because<T: Count, const C: usize>(counts: &[T; C], full_scale: u32) -> Self {
         let channels = Channels::saturated(counts, full_scale);
-        if channels.count() > 0 { Unusable::Saturated { channels } } else { Unusable::TooDark }
+        if channels.count() > 0 { ReadingError::Saturated { channels } } else { ReadingError::TooDark }
     }
 }
 
-impl core::fmt::Display for Unusable {
+impl core::fmt::Display for ReadingError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Unusable::Saturated { channels } => {
+            ReadingError::Saturated { channels } => {
                 write!(f, "channels at full scale (bits {:#b}): use less gain or time", channels.bits())
             }
-            Unusable::TooDark => {
+            ReadingError::TooDark => {
                 f.write_str("the channels are not above their dark levels: use more gain or time")
             }
-            Unusable::Negative { xyz } => {
+            ReadingError::Negative { xyz } => {
                 write!(f, "the calibration gives a negative color: X {}, Y {}, Z {}", xyz.x, xyz.y, xyz.z)
             }
         }
     }
 }
 
-impl core::error::Error for Unusable {}
+impl core::error::Error for ReadingError {}

@@ -1,8 +1,8 @@
 //! Calibration by measured patches: the matrix from counts to XYZ that is least wrong on them.
 
 use crate::color::Xyz;
-use crate::sensor::qr::{Triangle, condition, forward};
-use crate::sensor::vector::{dot, largest, norm, sqrt};
+use crate::sensor::calibrate::qr::{Triangle, condition, forward};
+use crate::sensor::calibrate::vector::{dot, largest, norm, sqrt};
 use crate::sensor::{BasicCounts, Calibration};
 use core::fmt;
 
@@ -50,7 +50,7 @@ impl<const C: usize, const D: usize> Default for Fit<C, D> {
 }
 
 impl<const C: usize, const D: usize> Fit<C, D> {
-    /// No patches yet.
+    /// A fit without patches.
     #[must_use]
     pub const fn new() -> Self {
         Fit { triangle: Triangle::new(), patches: 0 }
@@ -74,13 +74,13 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         self.patches = self.patches.saturating_add(1);
     }
 
-    /// How many patches are in it.
+    /// The number of patches that were added.
     #[must_use]
     pub const fn patches(&self) -> u32 {
         self.patches
     }
 
-    /// The matrix with the least squares on the patches.
+    /// The calibration whose weighted squared errors on the patches are least.
     ///
     /// # Errors
     /// `TooFew` patches for `C` channels; `IllConditioned` if the patches do not tell the channels apart, so
@@ -109,7 +109,7 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         rms
     }
 
-    /// What a fit without this patch is wrong by on it (its result minus `target`): the honest error of this
+    /// The error on this patch of a fit made without it (result minus `target`): the honest error of this
     /// calibration on a light it has not seen. The patch must be one that was added, with the same weight.
     ///
     /// Needs no second fit: the error of the full fit over 1 - h, where the leverage h says how much of the
@@ -211,7 +211,7 @@ const fn finite<const C: usize, const D: usize>(rows: [[f32; C]; D]) -> Result<C
     Ok(Calibration::from_rows(rows))
 }
 
-/// Why there is no calibration and no spectrum.
+/// Why no calibration or spectrum could be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -238,25 +238,35 @@ pub enum FitError {
     },
 }
 
+impl FitError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        match self {
+            Self::TooFew { .. } => "fewer patches than channels: measure more that differ",
+            Self::IllConditioned { .. } => {
+                "channels that cannot be told apart: measure more different colors, \
+                 leave out a channel that never counts, or use a larger alpha"
+            }
+            Self::NotFinite => {
+                "a count, a target or a weight is not finite, alpha is negative, or numbers are beyond 1e30: \
+                 check them, scale them"
+            }
+            Self::NotConverged { .. } => {
+                "no positive spectrum was found: allow more steps or use a larger alpha"
+            }
+        }
+    }
+}
+
 impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.message())?;
         match self {
-            Self::TooFew { patches, needed } => {
-                write!(f, "{patches} patches for {needed} channels: measure at least {needed} that differ")
-            }
-            Self::IllConditioned { condition } => write!(
-                f,
-                "channels that cannot be told apart (condition {condition:e}): measure more different colors, \
-                 leave out a channel that never counts, or use a larger alpha"
-            ),
-            Self::NotFinite => f.write_str(
-                "a count, a target or a weight is not finite, alpha is negative, or numbers are beyond 1e30: \
-                 check them, scale them",
-            ),
-            Self::NotConverged { iterations } => write!(
-                f,
-                "no positive spectrum after {iterations} steps: allow more of them or use a larger alpha"
-            ),
+            Self::TooFew { patches, needed } => write!(f, " ({patches} patches for {needed} channels)"),
+            Self::IllConditioned { condition } => write!(f, " (condition {condition:e})"),
+            Self::NotFinite => Ok(()),
+            Self::NotConverged { iterations } => write!(f, " (after {iterations} steps)"),
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::grid::Grid;
 use crate::observer::Observer;
-use crate::sensor::qr::{Triangle, damped_inverse};
-use crate::sensor::vector::{largest, norm};
+use crate::sensor::calibrate::qr::{Triangle, damped_inverse};
+use crate::sensor::calibrate::vector::{largest, norm};
 use crate::sensor::{BasicCounts, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::sum;
@@ -12,18 +12,18 @@ use crate::sum::sum;
 /// - the counts|^2 + alpha * (mean signal of the channels)^2 * |spectrum|^2.
 ///
 /// Where a [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED, this one
-/// is 0. It costs a search each time; `alpha` is as there, [`ALPHA`](crate::sensor::ALPHA) or more. Counts below zero
-/// are noise, and no light explains them: they pull the spectrum to 0.
+/// is 0. It costs a search each time; `alpha` is as there, [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more.
+/// Counts below zero are noise, and no light explains them: they pull the spectrum to 0.
 ///
 /// ```
-/// use nanospectra::sensor::{ALPHA, BasicCounts, nominal, nonnegative_spectrum};
+/// use nanospectra::sensor::{DEFAULT_ALPHA, BasicCounts, nonnegative_spectrum, chip::as7341};
 /// use nanospectra::{Curve, Light, Nodes, Observer, Power};
 ///
 /// type Grid = Nodes<400, 700>;
-/// static CHIP: Observer<8, 31, Power, Grid> = nominal::AS7341.fold(Curve::Step);
+/// static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 /// let mut laser = Light::flat(0.0);
 /// let _ = laser.add_line(532.0, 1.0);
-/// let light = nonnegative_spectrum(&CHIP, &BasicCounts::new(CHIP.sees(&laser)), ALPHA, 30)?;
+/// let light = nonnegative_spectrum(&CHIP, &BasicCounts::new(CHIP.sees(&laser)), DEFAULT_ALPHA, 30)?;
 /// assert!(light.iter().all(|(_, value)| value >= 0.0));
 /// # Ok::<(), nanospectra::sensor::FitError>(())
 /// ```
@@ -32,9 +32,9 @@ use crate::sum::sum;
 /// Within 8e-7 of the peak of the minimum for lamps, lasers and narrow LEDs at alpha 1e-3 to 0.1.
 ///
 /// # Cost
-/// For each step a least squares of `C` unknowns over the bins that are not 0, and one of all bins at the end.
-/// Lamps and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of which no light makes, the longest took
-/// 34.
+/// For each step a least squares of `C` unknowns over the bins that are not 0, and one of all bins at the end. Lamps
+/// and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of which no light makes, the
+/// longest took 34.
 ///
 /// # Errors
 /// `NotConverged` after `max_iterations` steps: 50 are plenty. `NotFinite` for NaN, infinity or an alpha that

@@ -1,23 +1,23 @@
-//! From a few counts to a spectrum: the likeliest one, as a matrix.
+//! Reconstruction: the matrix from the counts of a few channels to the likeliest spectrum.
 
 use crate::grid::Grid;
 use crate::observer::Observer;
-use crate::sensor::fit::usable;
-use crate::sensor::prior::semidefinite_root;
-use crate::sensor::qr::{condition, damped_inverse};
-use crate::sensor::vector::{dot, largest, less, norm, sqrt};
+use crate::sensor::calibrate::fit::usable;
+use crate::sensor::calibrate::prior::semidefinite_root;
+use crate::sensor::calibrate::qr::{condition, damped_inverse};
+use crate::sensor::calibrate::vector::{dot, largest, less, norm, sqrt};
 use crate::sensor::{BasicCounts, Calibration, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::rows;
 use core::marker::PhantomData;
 
-/// The damping to begin with: the variance of the noise over the variance that the channels' signals would have if
-/// every bin varied for itself.
+/// The damping `alpha` to begin with: the variance of the noise over the variance that the channels' signals would
+/// have if every bin varied for itself.
 ///
 /// For a sensor like the AS7341 every smaller value gives the same RMS error of reflectances, 0.013, within 1.4 %,
 /// and only amplifies the noise of the counts; in f32, normal equations (which this crate does not use) fail below
 /// 1e-6. A larger one darkens the light: 1e-1 costs 27 % in RMS.
-pub const ALPHA: f32 = 1e-2;
+pub const DEFAULT_ALPHA: f32 = 1e-2;
 
 /// A matrix from the counts of `C` channels to `N` bins of light, power per nm: `N` times `C` numbers.
 ///
@@ -28,12 +28,12 @@ pub const ALPHA: f32 = 1e-2;
 /// chip; if they are not known, measure patches and use [`Fit`](crate::sensor::Fit).
 ///
 /// ```
-/// use nanospectra::sensor::{ALPHA, Calibration, Reconstruction, nominal};
+/// use nanospectra::sensor::{DEFAULT_ALPHA, Calibration, Reconstruction, chip::as7341};
 /// use nanospectra::{Curve, Light, Nodes, Observer, Power, sensor::BasicCounts};
 ///
 /// type Grid = Nodes<400, 700>;
-/// static CHIP: Observer<8, 31, Power, Grid> = nominal::AS7341.fold(Curve::Step);
-/// let reconstruction = Reconstruction::smooth(&CHIP, 0.95, ALPHA)?;
+/// static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
+/// let reconstruction = Reconstruction::smooth(&CHIP, 0.95, DEFAULT_ALPHA)?;
 /// // A flat light of 2 W/nm comes back within 5 % in the middle.
 /// let counts = BasicCounts::new(CHIP.sees(&Light::flat(2.0)));
 /// assert!((reconstruction.spectrum(&counts).values()[15] - 2.0).abs() < 0.1);
@@ -66,7 +66,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     ///
     /// `correlation` is 0 to 1: 0.95 for bins of 10 nm, 0.975 for 5 nm; 0 says nothing about neighbors
     /// ([`tikhonov`](Self::tikhonov)). `alpha` is the variance of the noise over that of the signals of
-    /// bins that vary apart, [`ALPHA`] or so.
+    /// bins that vary apart, [`DEFAULT_ALPHA`] or so.
     ///
     /// # Errors
     /// `IllConditioned` if `alpha` is so small that channels which see alike cannot be told apart, or no

@@ -1,0 +1,13 @@
+//! Readings one after the other: which exposure comes next, the last few of them, and light that flickers.
+
+mod auto_exposure;
+mod flicker;
+#[cfg(feature = "heapless")]
+mod window;
+
+pub use auto_exposure::{Advice, AutoExposure, LadderError};
+pub use flicker::{
+    Flicker, MAINS_FLICKER_HZ, MAINS_PERIODS_MS, amplitude_at, mean_over_periods, whole_periods_ms,
+};
+#[cfg(feature = "heapless")]
+pub use window::Window;

@@ -1,0 +1,93 @@
+//! What is known of the chips: complete, listed, and of one piece.
+
+use nanospectra::sensor::chip::{self, Chip, SettingValues};
+use nanospectra::sensor::{AutoExposure, Exposure};
+use nanospectra::{Nodes, Observer, Power};
+use std::collections::BTreeSet;
+use std::fs;
+
+/// A file in `src/sensor/chip/` that the list has forgotten would be unknown to every program.
+#[test]
+fn every_file_of_a_chip_is_in_the_list() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/sensor/chip");
+    let files = fs::read_dir(folder).expect("the chips").map(|entry| entry.expect("a file").file_name());
+    let files: BTreeSet<String> =
+        files.filter_map(|name| Some(name.to_str()?.strip_suffix(".rs")?.to_owned())).collect();
+    let listed = chip::ALL.map(|chip| chip.name.to_lowercase());
+    assert_eq!(files, listed.iter().cloned().chain(["mod".into()]).collect());
+    for (chip, name) in chip::ALL.into_iter().zip(listed) {
+        assert!(chip::named(&name).is_some_and(|found| core::ptr::eq(found, chip)), "{name}");
+    }
+    assert!(chip::named("AS7342").is_none());
+}
+
+#[test]
+fn channels_and_what_is_known_of_them_are_as_many() {
+    for chip in chip::ALL {
+        let channels = chip.channels.len();
+        let nominal = |k: usize| -> Option<Observer<1, 71, Power, Nodes<300, 1000>>> { chip.nominal(k) };
+        let known = (0..=channels).filter(|k| nominal(*k).is_some()).count();
+        assert!(known == 0 || known == channels, "{}: {known} of {channels} channels", chip.name);
+        assert!(nominal(channels).is_none() && chip.peak_nm(channels).is_none());
+        let rows = chip.to_xyz.iter().flatten().chain(&chip.to_lux);
+        assert!(rows.into_iter().all(|row| row.len() == channels), "{}", chip.name);
+        let names: BTreeSet<&str> = chip.channels.iter().copied().collect();
+        assert!(names.len() == channels && names.iter().all(|name| *name == name.to_lowercase()));
+        assert!(!chip.summary.is_empty());
+    }
+    assert_eq!(chip::named("AS7341").and_then(|chip| chip.peak_nm(7)), Some(680.0));
+    assert_eq!(chip::named("AS7265x").and_then(|chip| chip.peak_nm(17)), Some(940.0));
+}
+
+#[test]
+fn every_ladder_climbs_in_settings_that_the_chip_has() {
+    for chip in chip::ALL.into_iter().filter(|chip| !chip.settings.is_empty()) {
+        let ladder: Option<Vec<Exposure>> =
+            chip.ladder.iter().map(|settings| chip.exposure(settings)).collect();
+        let ladder = ladder.unwrap_or_else(|| panic!("{}: a setting that it does not have", chip.name));
+        assert!(AutoExposure::new(&ladder).is_ok(), "{}", chip.name);
+        assert!(ladder.iter().all(|exposure| exposure.full_scale() <= chip.largest_count));
+        // All gains occur.
+        let [gain, ..] = chip.settings else { panic!("{}: no settings", chip.name) };
+        let SettingValues::OneOf(gains) = gain.values else { panic!("{}: not the gain first", chip.name) };
+        assert!(
+            gain.name == "gain" && gains.iter().all(|gain| chip.ladder.iter().any(|rung| rung[0] == *gain))
+        );
+    }
+    let of_modules = [
+        (&chip::as7341::CHIP, &chip::as7341::LADDER[..]),
+        (&chip::as7343::CHIP, &chip::as7343::LADDER),
+        (&chip::as7262::CHIP, &chip::as7262::LADDER),
+        (&chip::as7265x::CHIP, &chip::as7265x::LADDER),
+        (&chip::tcs3472::CHIP, &chip::tcs3472::LADDER),
+    ];
+    for (chip, ladder) in of_modules {
+        assert!(
+            ladder.iter().zip(chip.ladder).all(|(exposure, rung)| chip.exposure(rung) == Some(*exposure))
+        );
+        assert_eq!(ladder.len(), chip.ladder.len());
+    }
+}
+
+#[test]
+fn settings_that_a_chip_does_not_have_make_no_exposure() {
+    let of = |chip: &Chip, settings: &[f32]| chip.exposure(settings);
+    let as7341 = chip::named("as7341").expect("a chip");
+    assert!(of(as7341, &[512.0, 255.0, 65_534.0]).is_some());
+    for bad in [
+        &[3.0, 29.0, 599.0][..],
+        &[1.0, 256.0, 599.0],
+        &[1.0, 0.5, 599.0],
+        &[1.0, -1.0, 599.0],
+        &[1.0, f32::NAN, 599.0],
+        &[1.0, 29.0, 65_535.0],
+        &[1.0, 29.0],
+        &[1.0, 29.0, 599.0, 1.0],
+        &[],
+    ] {
+        assert_eq!(of(as7341, bad), None, "{bad:?}");
+    }
+    let opt4048 = chip::named("OPT4048").expect("a chip");
+    assert_eq!(of(opt4048, &[]), Some(chip::opt4048::exposure()));
+    assert_eq!(of(opt4048, &[1.0]), None);
+}
