@@ -2,6 +2,7 @@
 //! station/op/N/backend.
 
 use criterion::{BatchSize, BenchmarkId, Criterion};
+use nanospectra::color::Cct;
 use nanospectra::math::Fast;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter, FixedObserver};
@@ -34,7 +35,7 @@ fn reading(c: &mut Criterion) {
     let Some(FixedCct::Near { cct_k, .. }) = FIXED.xyz(&counts).expect("light").cct() else {
         panic!("no white")
     };
-    let (kelvin, _) = white.uv1960().and_then(|uv| uv.cct().near()).expect("a white");
+    let (kelvin, _) = white.cct().and_then(Cct::near).expect("a white");
     assert!((cct_k as f32 - kelvin).abs() < 5.0, "{cct_k} {kelvin}");
 
     let mut group = c.benchmark_group("sensor/reading");

@@ -4,6 +4,7 @@
 //!
 //! `cargo run --release --example sensor_counts`
 
+use nanospectra::color::Cct;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError, Reconstruction, chip::as7341};
 use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
@@ -32,7 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let meter = Meter::new(&EXPOSURE, &TO_XYZ.scaled(factor));
 
     let xyz = meter.xyz(&COUNTS)?;
-    let (cct_k, duv) = xyz.uv1960().and_then(|uv| uv.cct().near()).ok_or("this light is not white")?;
+    let (cct_k, duv) = xyz.cct().and_then(Cct::near).ok_or("this light is not white")?;
     println!(
         "{:.0} lx, XYZ {:.0}, {:.0}, {:.0}, CCT {cct_k:.0} K, Duv {duv:+.4}",
         xyz.y, xyz.x, xyz.y, xyz.z

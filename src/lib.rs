@@ -9,7 +9,7 @@
 //! // A measured lamp, every 5 nm (here a table's), to its color: interpolate to 1 nm, sum.
 //! let lamp: Fine<Power> = light::FL11.fine();
 //! let xyz = Xyz::from(CIE_1931.sees(&lamp));
-//! let Some(Cct::Near { cct_k, duv }) = xyz.uv1960().map(|uv| uv.cct()) else { return };
+//! let Some(Cct::Near { cct_k, duv }) = xyz.cct() else { return };
 //! assert!((cct_k - 3998.0).abs() < 8.0 && duv.abs() < 1e-3); // CIE 15: FL11, 4000 K
 //!
 //! // The same lamp folded into the eye: 192 bytes that read a reflectance of 16 numbers.

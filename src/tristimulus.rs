@@ -1,10 +1,18 @@
 //! Tristimulus values and the chromaticities made from them.
 
+use core::fmt;
+
 /// CIE tristimulus values.
 ///
 /// Y is 100 for a perfect white surface and for a light that is given relative to itself ([`Xyz::with_y`]): all
 /// conversions to and from RGB, Oklab and displays are on this scale. Absolute values are in lm, lx or cd/m2
 /// (through [`KM`](crate::observer::KM)).
+///
+/// ```
+/// use nanospectra::color::Xyz;
+/// let d65 = Xyz::new(95.047, 100.0, 108.883);
+/// assert_eq!(format!("{d65:.1}"), "X 95.0 Y 100.0 Z 108.9");
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Xyz {
@@ -148,3 +156,30 @@ impl Xy {
         Uv1976 { u, v: 1.5 * v }
     }
 }
+
+/// `X 95.047 Y 100 Z 108.883`: each number with its name, in the format that is asked for.
+macro_rules! shown_by_name {
+    ($type:ty: $($name:literal $part:ident),+) => {
+        impl core::fmt::Display for $type {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                $crate::tristimulus::by_name(f, &[$(($name, self.$part)),+])
+            }
+        }
+    };
+}
+pub(crate) use shown_by_name;
+
+pub(crate) fn by_name(f: &mut fmt::Formatter<'_>, numbers: &[(&str, f32)]) -> fmt::Result {
+    for (k, (name, number)) in numbers.iter().enumerate() {
+        f.write_str(if k == 0 { "" } else { " " })?;
+        f.write_str(name)?;
+        f.write_str(" ")?;
+        fmt::Display::fmt(number, f)?;
+    }
+    Ok(())
+}
+
+shown_by_name!(Xyz: "X" x, "Y" y, "Z" z);
+shown_by_name!(Xy: "x" x, "y" y);
+shown_by_name!(Uv1960: "u" u, "v" v);
+shown_by_name!(Uv1976: "u'" u, "v'" v);

@@ -7,7 +7,7 @@ use colorimetry::spectrum::Spectrum as StdSpectrum;
 use colorimetry::xyz::XYZ;
 use model::noise::Noise;
 use model::{cct, cri, delta_e, lab, transfer};
-use nanospectra::color::{Lab, Rgb, Srgb, Xyz, ciede2000, cri as rendering, tm30};
+use nanospectra::color::{Cct, Lab, Rgb, Srgb, Xyz, ciede2000, cri as rendering, tm30};
 use nanospectra::{Fine, Power, light};
 use palette::LinSrgb;
 use palette::color_difference::Ciede2000;
@@ -39,7 +39,7 @@ fn temperature(races: &mut Races) {
     let (mut worst, mut their_worst) = (0.0f64, 0.0f64);
     for ((point, ours), theirs) in points.iter().zip(&ours).zip(&theirs) {
         let mired = 1e6 / cct::cct(*point).cct_k;
-        let (found, _) = ours.uv1960().and_then(|uv| uv.cct().near()).expect("a white");
+        let (found, _) = ours.cct().and_then(Cct::near).expect("a white");
         worst = worst.max((1e6 / f64::from(found) - mired).abs());
         their_worst = their_worst.max((1e6 / theirs.cct().expect("a white").t() - mired).abs());
     }
@@ -48,7 +48,7 @@ fn temperature(races: &mut Races) {
         "XYZ to CCT, Duv (errors in mired)",
         10.0,
         1.0,
-        each(&ours, |xyz| xyz.uv1960().map(|uv| uv.cct())),
+        each(&ours, |xyz| xyz.cct()),
         ("colorimetry, f64", each(&theirs, |xyz| xyz.cct())),
     );
     races.errors(worst, their_worst);

@@ -3,22 +3,22 @@
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix, apply, apply64, inverse64, product64, rounded, scale_columns64};
 
-/// The cone responses an adaptation scales one by one, as von Kries proposed.
+/// The cone responses that an adaptation scales one by one, as von Kries proposed.
 pub trait ConeResponses: Copy + 'static {
     /// XYZ to the three responses, row-major.
     const FROM_XYZ: [[f64; 3]; 3];
 }
 
-/// Bradford: what ICC profiles use. (Its blue exponent is left out, as everybody does.)
+/// The responses of the linear Bradford transform, which ICC profiles use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bradford;
-/// CAT02 of CIECAM02.
+/// The responses of CAT02, the transform of CIECAM02.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cat02;
-/// CAT16 of CIECAM16.
+/// The responses of CAT16, the transform of CIECAM16.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cat16;
-/// von Kries on Hunt-Pointer-Estevez cones (as equal energy and D65 have them).
+/// The cone responses of Hunt, Pointer and Estevez, normalized to D65.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VonKries;
 
@@ -41,16 +41,15 @@ impl ConeResponses for VonKries {
 
 /// The change from one white to another, as a matrix for tristimulus values.
 ///
-/// It is a matter of chromaticity: the first white becomes a light of the second's
-/// chromaticity and its own luminance, so it matters neither what Y the whites are given with
-/// nor what Y the colors have.
+/// The first white gets the chromaticity of the second and keeps its luminance, so that only the chromaticities of
+/// the whites count. They may be given with any Y, and the adapted colors keep their scale.
 ///
 /// # Reference
 /// CIE 160:2004; ICC.1:2022 annex E for Bradford; CIE 248:2022 for CAT16.
 ///
 /// ```
 /// use nanospectra::color::{Adaptation, Bradford, Xyz};
-/// // ICC's D50, and D65, the compiler's work:
+/// // From D65 to ICC's D50, worked out by the compiler:
 /// const TO_D50: Adaptation =
 ///     Adaptation::between_const::<Bradford>(Xyz::new(95.047, 100.0, 108.883), Xyz::new(96.42, 100.0, 82.491));
 /// let red = TO_D50.apply(Xyz::new(41.24, 21.26, 1.93)); // sRGB's red, for which ICC profiles have

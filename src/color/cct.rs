@@ -1,7 +1,8 @@
 //! Correlated color temperature and distance from the Planckian locus.
 
-use crate::color::Uv1960;
+use crate::color::{Uv1960, Xyz};
 use crate::math::sqrt;
+use core::fmt;
 
 include!(concat!(env!("OUT_DIR"), "/locus.rs"));
 
@@ -13,7 +14,7 @@ const SEGMENTS: usize = LOCUS.len() - 1;
 /// one.)
 const MAX_DUV: f32 = 0.05 + 2e-7;
 
-/// The outcome of asking for a correlated color temperature.
+/// A correlated color temperature with its Duv, or the reason why a color has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -34,16 +35,45 @@ pub enum Cct {
 }
 
 impl Cct {
-    /// Bytes of the table that [`Uv1960::cct`] reads, the only constants of its own.
+    /// Size in bytes of the table that [`Uv1960::cct`] reads.
     pub const TABLE_BYTES: usize = size_of_val(&LOCUS);
 
-    /// Temperature in K and Duv, if there are such numbers.
+    /// Temperature in K and Duv, if the color has them.
     #[must_use]
     pub const fn near(self) -> Option<(f32, f32)> {
         match self {
             Cct::Near { cct_k, duv } => Some((cct_k, duv)),
             _ => None,
         }
+    }
+}
+
+impl fmt::Display for Cct {
+    /// `6503 K, Duv +0.0032`, or the reason.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Cct::Near { cct_k, duv } => return write!(f, "{cct_k:.0} K, Duv {duv:+.4}"),
+            Cct::OffLocus => "not a white: more than 0.05 from the Planckian locus",
+            Cct::TooCold => "redder than a black body of 1000 K",
+            Cct::TooHot => "bluer than a black body of a million K",
+        })
+    }
+}
+
+impl Xyz {
+    /// CCT and Duv of the chromaticity, as [`Uv1960::cct`]; `None` for black, which has no chromaticity.
+    ///
+    /// ```
+    /// # use nanospectra::color::{Cct, Xyz};
+    /// let d65 = Xyz::new(95.047, 100.0, 108.883);
+    /// assert_eq!(d65.cct().ok_or("black")?.to_string(), "6503 K, Duv +0.0032");
+    /// assert_eq!(Xyz::default().cct(), None);
+    /// # Ok::<(), &str>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn cct(self) -> Option<Cct> {
+        self.uv1960().map(|uv| uv.cct())
     }
 }
 

@@ -8,8 +8,8 @@ use crate::color::difference::{Polar, polar};
 use crate::math::Portable;
 use crate::math::{Math, cos_turns, sin_turns, sqrt};
 
-/// The parametric factors of CIEDE2000: 1, 1, 1 under reference conditions (the default),
-/// kL = 2 for textiles. All above zero.
+/// The parametric factors of CIEDE2000, which account for viewing conditions: all 1 under reference conditions (the
+/// default), kL = 2 for textiles. They must be above zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ParametricFactors {
@@ -29,7 +29,7 @@ impl Default for ParametricFactors {
 
 /// CIEDE2000 color difference under reference conditions (kL = kC = kH = 1).
 ///
-/// About 1 is a difference just noticed. Swapping the colors gives the same bits.
+/// A difference of about 1 is just noticeable. Swapping the colors gives the same bits.
 ///
 /// # Accuracy
 /// 7e-7 relative, and so also for the smallest differences; within the rounding of all 34

@@ -6,7 +6,7 @@ use crate::color::{Uv1960, Xyz};
 use crate::math::{cbrt, sqrt};
 use crate::spectrum::{Fine, Power};
 
-/// Color rendering of a light.
+/// The CIE color rendering indices of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cri {
@@ -30,8 +30,8 @@ pub struct Cri {
 /// taken in another order, samples last, and for the reference ahead of time; the numbers are the same but for rounding.
 ///
 /// # Accuracy
-/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15, tabulated over
-/// 380..=780 nm alone, is held on before it is interpolated.
+/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15 is tabulated
+/// over 380..=780 nm only; its end values are held beyond.
 ///
 /// # Cost
 /// 17 KB of tables, color-matching functions included; 13,000 multiplications and additions and no exponential, 2.1 us

@@ -50,7 +50,7 @@ pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
     Polar { c1, c2, dc, dh, cross, far }
 }
 
-/// The weights of [`cie94`].
+/// The application that [`cie94`] takes its parametric factor and weights from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cie94Weights {

@@ -13,7 +13,7 @@ const TOUCH: f32 = 1e-4;
 /// is the color that one sees.
 const MIDDLE_NM: f32 = 555.0;
 
-/// The spectral color that, mixed with white, gives a color.
+/// The spectral color that gives a color when it is mixed with white, and its part in the mixture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DominantWavelength {

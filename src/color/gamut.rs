@@ -1,35 +1,32 @@
-//! What to do with a color the display cannot show. There is no best way; each says what it
-//! keeps.
+//! Mapping of colors into the gamut of a display. No method is best for all colors; each says what it keeps.
 
 use crate::color::{Rgb, RgbSpace};
 
-/// A color brought into the gamut.
+/// A color that was mapped into the gamut of its space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GamutMapped<S> {
     /// The color to show.
     pub rgb: Rgb<S>,
-    /// Was it in the gamut, and so is shown as it is?
+    /// Whether the color was in the gamut already, and is shown unchanged.
     pub was_inside: bool,
 }
 
 impl<S: RgbSpace> Rgb<S> {
-    /// Is every component in 0..=1? Not if one is NaN.
+    /// Whether every component is within 0..=1; `false` if one is NaN.
     #[must_use]
     pub fn in_gamut(self) -> bool {
         self.to_array().iter().all(|c| (0.0..=1.0).contains(c))
     }
 
-    /// Each component by itself into 0..=1: simple, and keeps neither hue nor luminance. NaN
-    /// stays NaN.
+    /// Clips each component to 0..=1, which keeps neither hue nor luminance. NaN stays NaN.
     #[must_use]
     pub fn clip(self) -> GamutMapped<S> {
         self.mapped(self.to_array().map(|c| c.clamp(0.0, 1.0)))
     }
 
-    /// Dimmed until the largest component is 1: keeps the chromaticity, for lights brighter than
-    /// the display. A chromaticity it does not have (a component below zero) stays outside:
-    /// desaturate or clip after.
+    /// Divides by the largest component where that is above 1, which keeps the chromaticity: for lights that are
+    /// brighter than the display. A component below zero stays below zero: desaturate or clip afterwards.
     #[must_use]
     pub fn dim(self) -> GamutMapped<S> {
         let largest = self.r.max(self.g).max(self.b);
@@ -40,9 +37,9 @@ impl<S: RgbSpace> Rgb<S> {
         }
     }
 
-    /// Mixed with the gray of its own luminance, no more than needed: keeps the luminance and
-    /// the dominant wavelength. What is brighter than white is white, darker than black black;
-    /// NaN stays NaN.
+    /// Mixes the color with the gray of its luminance, just as much as brings it into the gamut, which keeps the
+    /// luminance and the dominant wavelength. A color brighter than white becomes white, one with a luminance
+    /// below zero black; NaN stays NaN.
     ///
     /// ```
     /// use nanospectra::color::{Rgb, Srgb};

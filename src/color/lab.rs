@@ -5,6 +5,7 @@ use crate::math::Portable;
 use crate::math::{Math, cbrt, cos_turns, sin_turns, sqrt};
 
 use crate::color::Xyz;
+use crate::tristimulus::shown_by_name;
 
 /// Where the cube root takes over from the straight line: (6/29)^3.
 const KNEE: f32 = 216.0 / 24389.0;
@@ -17,7 +18,7 @@ const MOST: f32 = 8e34;
 /// What the compressed ratio of black is.
 const OFFSET: f32 = 16.0 / 116.0;
 
-/// A color in CIE 1976 L\*a\*b\* (CIELAB), relative to a white that goes without saying.
+/// A color in CIE 1976 L\*a\*b\* (CIELAB). The reference white is not stored; keep it with the color.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lab {
@@ -41,14 +42,16 @@ pub struct Lch {
     pub h_deg: f32,
 }
 
+shown_by_name!(Lab: "L*" l, "a*" a, "b*" b);
+shown_by_name!(Lch: "L*" l, "C*" c, "h" h_deg);
+
 impl Xyz {
     /// CIELAB relative to `white`, which is on the same scale as the color: both with Y = 100 for a perfect
     /// white surface, or both in cd/m2.
     ///
     /// Negative tristimulus values are on the straight part of the curve and stay finite.
-    /// `None` when there is nothing to be relative to: a component of the white is not above
-    /// zero, as Z of a red laser beyond 650 nm, where z-bar is zero in the CIE table, or it is so
-    /// small that the color is 8e34 times as large. NaN stays NaN.
+    /// `None` if a component of the white is not above zero, as Z of a red laser beyond 650 nm, where z-bar is zero
+    /// in the CIE table, or so small that the color is 8e34 times as large. NaN stays NaN.
     ///
     /// # Accuracy
     /// 4e-5 on real colors, whether near gray or not (`tests/color/spaces.rs`); L\* is exactly
@@ -146,7 +149,7 @@ impl Lab {
 }
 
 impl Lch {
-    /// Back to rectangular coordinates; any finite hue angle will do.
+    /// The rectangular coordinates; any finite hue angle is accepted.
     ///
     /// # Accuracy
     /// 6e-7 of the chroma, for hues within a turn.

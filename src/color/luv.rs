@@ -2,8 +2,9 @@
 
 use crate::color::Xyz;
 use crate::color::lab::{lightness, luminance};
+use crate::tristimulus::shown_by_name;
 
-/// A color in CIE 1976 L\*u\*v\* (CIELUV), relative to a white that goes without saying.
+/// A color in CIE 1976 L\*u\*v\* (CIELUV). The reference white is not stored; keep it with the color.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Luv {
@@ -15,13 +16,15 @@ pub struct Luv {
     pub v: f32,
 }
 
+shown_by_name!(Luv: "L*" l, "u*" u, "v*" v);
+
 impl Xyz {
     /// CIELUV relative to `white`, which is on the same scale as the color.
     ///
     /// Black, and anything else without luminance, is (0, 0, 0). `None` when the white has no
     /// luminance or no chromaticity (a component sum of zero or less), or the color has none
-    /// and is not black. NaN stays NaN. Unlike CIELAB it has no trouble with a white whose Z
-    /// is zero.
+    /// and is not black. NaN stays NaN. Unlike CIELAB it accepts a white whose Z is
+    /// zero.
     ///
     /// # Accuracy
     /// 7e-5 on real colors (`tests/color/spaces.rs`).

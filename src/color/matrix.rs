@@ -1,11 +1,11 @@
 //! The few 3x3 matrices color needs: derived once in f64 by the compiler, applied in f32.
 
-/// Row-major; const evaluation only.
+/// Row-major, for const evaluation only.
 pub(crate) type Matrix64 = [[f64; 3]; 3];
-/// Row-major; what the device multiplies with.
+/// Row-major, in the precision of run time.
 pub(crate) type Matrix = [[f32; 3]; 3];
 
-/// a b
+/// The product a b.
 pub(crate) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
     let mut out = [[0.0; 3]; 3];
     let mut i = 0;
@@ -31,7 +31,7 @@ pub(crate) const fn inverse64(m: &Matrix64) -> Matrix64 {
     ]
 }
 
-/// m v
+/// The product m v.
 pub(crate) const fn apply64(m: &Matrix64, v: [f64; 3]) -> [f64; 3] {
     let [a, b, c] = m;
     let [x, y, z] = v;
@@ -58,7 +58,7 @@ pub(crate) const fn rounded(m: &Matrix64) -> Matrix {
     ]
 }
 
-/// m v
+/// The product m v.
 pub(crate) const fn apply(m: &Matrix, v: [f32; 3]) -> [f32; 3] {
     let [a, b, c] = m;
     let [x, y, z] = v;

@@ -1,4 +1,4 @@
-//! What a measurement means to an eye: chromaticity, CCT, Lab, differences, RGB, rendering.
+//! Colorimetry: chromaticity, correlated color temperature, CIELAB, color differences, RGB, color rendering.
 
 mod adaptation;
 #[cfg(feature = "libm")]

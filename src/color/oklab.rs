@@ -3,6 +3,7 @@
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix, Matrix64, apply, inverse64, rounded};
 use crate::math::cbrt;
+use crate::tristimulus::shown_by_name;
 
 /// X, Y, Z with Y = 1 for the white, D65, to the cone responses of Oklab.
 const TO_CONES: Matrix64 = [
@@ -32,6 +33,8 @@ pub struct Oklab {
     /// b, from blue (negative) to yellow.
     pub b: f32,
 }
+
+shown_by_name!(Oklab: "L" l, "a" a, "b" b);
 
 impl Xyz {
     /// Oklab of a color seen under D65, with Y = 100 for the white.

@@ -7,28 +7,26 @@ use crate::observer::CIE_1931;
 use crate::spectrum::{Fine, Power, Spectrum};
 use core::fmt;
 
-/// Why a light has no color rendering.
+/// The reason why the color rendering of a light cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RenderingError {
-    /// It has no visible power, or is not a number.
+    /// The light has no visible power, or it holds a NaN.
     Dark,
-    /// Under it a sample, or the light itself, has no place among real colors: it has negative values.
+    /// The light or a sample under it has tristimulus values that no real color has, as from a negative spectrum.
     Unreal,
-    /// It is no kind of white, so there is no reference of the same color temperature.
+    /// The light is not a white: it has no color temperature, for the reason given, and so no reference.
     NoReference(Cct),
 }
 
 impl fmt::Display for RenderingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Dark => "the light has no visible power",
-            Self::Unreal => "under this light a sample has no real color (negative values?)",
-            Self::NoReference(Cct::TooCold) => "the light is redder than 1000 K: there is no reference",
-            Self::NoReference(Cct::TooHot) => "the light is bluer than 1000000 K: there is no reference",
-            Self::NoReference(_) => "the light is more than 0.05 (Duv) from the Planckian locus: not a white",
-        })
+        match self {
+            Self::Dark => f.write_str("the light has no visible power"),
+            Self::Unreal => f.write_str("under this light a sample has no real color (negative values?)"),
+            Self::NoReference(cct) => write!(f, "there is no reference: the light is {cct}"),
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Linear RGB in a space that is a type, and its encoded form.
+//! Linear RGB, with the RGB space in the type, and its code values.
 
 use core::marker::PhantomData;
 
@@ -9,9 +9,10 @@ use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 
-/// A linear RGB color of space `S`: amounts of the primaries, (1, 1, 1) being white.
+/// A linear RGB color of space `S`: the amounts of the primaries, where (1, 1, 1) is white.
 ///
-/// Outside the gamut a component is below 0 or above 1; see [`Rgb::clip`] and its fellows.
+/// A color outside the gamut has a component below 0 or above 1: [`Rgb::clip`], [`Rgb::dim`] and
+/// [`Rgb::desaturate`] map it into the gamut.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rgb<S> {
@@ -24,7 +25,7 @@ pub struct Rgb<S> {
     space: PhantomData<S>,
 }
 
-/// Code values of space `S` by transfer function `T`, 1 being full scale.
+/// An RGB color of space `S` as code values, encoded by transfer function `T`; 1 is full scale.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EncodedRgb<S: RgbSpace, T = <S as RgbSpace>::Transfer> {
@@ -128,7 +129,7 @@ impl<S: RgbSpace, T: Transfer> EncodedRgb<S, T> {
         self.to_array().map(transfer::to_u8)
     }
 
-    /// Back to linear.
+    /// The linear RGB color of these code values.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn decode(self) -> Rgb<S> {

@@ -1,4 +1,4 @@
-//! RGB spaces: a type each, with matrices the compiler derives from the standard's chromaticities.
+//! RGB spaces: each is a type, with matrices that the compiler derives from the chromaticities in its standard.
 
 use core::fmt::Debug;
 
@@ -8,8 +8,7 @@ use crate::color::transfer::{self, Transfer};
 
 /// What defines an RGB space: three primaries, a white, and the usual transfer function.
 ///
-/// The matrices are derived from the chromaticities in f64 by the compiler. An own space is an
-/// own type:
+/// The compiler derives the matrices from the chromaticities, in f64. A space of your own is a type of your own:
 ///
 /// ```
 /// use nanospectra::color::{Rgb, RgbSpace, Xyz, transfer};
@@ -47,12 +46,12 @@ pub trait RgbSpace: Copy + Debug + 'static {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Srgb;
-/// Display P3: the cinema's primaries with D65 and the transfer function of sRGB.
+/// Display P3: the primaries of DCI-P3, with D65 and the transfer function of sRGB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DisplayP3;
-/// BT.2020, and BT.2100 when encoded by [`transfer::Pq`] or [`transfer::Hlg`]; by itself as a
-/// BT.1886 display shows it.
+/// BT.2020 with the transfer function of a BT.1886 display; encoded by [`transfer::Pq`] or [`transfer::Hlg`] it is
+/// BT.2100.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bt2020;
@@ -99,7 +98,7 @@ const fn column(xy: [f64; 2]) -> [f64; 3] {
     [xy[0] / xy[1], 1.0, (1.0 - xy[0] - xy[1]) / xy[1]]
 }
 
-/// The primaries in the proportion that makes the white of them.
+/// The matrix to X, Y, Z with Y = 1 for white: the primaries as columns, in the proportion whose sum is the white.
 pub(crate) const fn to_xyz64(primaries: &[[f64; 2]; 3], white: [f64; 2]) -> [[f64; 3]; 3] {
     let [r, g, b] = [column(primaries[0]), column(primaries[1]), column(primaries[2])];
     let m = [[r[0], g[0], b[0]], [r[1], g[1], b[1]], [r[2], g[2], b[2]]];

@@ -1,15 +1,15 @@
-//! Transfer functions between light and the numbers that are stored or sent.
+//! Transfer functions between linear light and the code values that files and signals hold.
 //!
-//! Each is a type, so a program has only those it names. `decode` is from the code value to
-//! linear light and `encode` the way back; 1 is white, unless it says otherwise. Except for
-//! [`Pq`] they are odd: `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN
-//! stays NaN, and no finite number becomes NaN.
+//! Each function is a type, so a program contains only those that it names. `decode` goes from a code value to
+//! linear light, `encode` from linear light to a code value; 1 is white where nothing else is said. All but
+//! [`Pq`] are odd, `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN stays NaN, and no finite
+//! number becomes NaN.
 
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Math, sqrt};
 
-/// A pair of functions between linear light and code values.
+/// A transfer function, in both directions between linear light and code values.
 pub trait Transfer: Copy + 'static {
     /// The code value of a linear one, by the functions of `M`.
     fn encode_with<M: Math>(linear: f32) -> f32;
@@ -36,8 +36,8 @@ pub trait Transfer: Copy + 'static {
     }
 }
 
-/// sRGB, and Display P3 which borrows it: IEC 61966-2-1 with its own constants (12.92,
-/// 0.0031308, 0.04045).
+/// The transfer function of sRGB, which Display P3 uses too: IEC 61966-2-1 with the constants that it prints
+/// (12.92, 0.0031308, 0.04045).
 ///
 /// # Accuracy
 /// Encoding is within 9e-8, decoding and the way there and back within 1.2e-7, on 0 to 1.
@@ -82,7 +82,7 @@ impl Transfer for Bt1886 {
     }
 }
 
-/// Adobe RGB (1998): a power of 2 + 51/256.
+/// The transfer function of Adobe RGB (1998): a power of 2 + 51/256.
 ///
 /// # Accuracy
 /// 7e-8 either way on 0 to 1.
@@ -99,7 +99,7 @@ impl Transfer for AdobeRgbTransfer {
     }
 }
 
-/// No function at all: ACEScg and other scene-linear files.
+/// The identity: for ACEScg and other scene-linear files, whose code values are linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearTransfer;

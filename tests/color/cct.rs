@@ -4,7 +4,7 @@ use model::allowed::check;
 use model::cct::{cct as nearest, planckian};
 use model::noise::Noise;
 use model::planck::C2_CIE;
-use nanospectra::color::{Cct, Uv1960, Xy};
+use nanospectra::color::{Cct, Uv1960, Xy, Xyz};
 
 /// The point at a distance from the locus, of which `planckian` has given place and direction.
 fn beside((place, direction): ([f64; 2], [f64; 2]), duv: f64) -> Uv1960 {
@@ -140,4 +140,15 @@ fn a_million_random_points_get_the_nearest_temperature_or_a_reason() {
         wrong.len(),
         wrong[..wrong.len().min(20)].join("\n")
     );
+}
+
+#[test]
+fn values_are_shown_with_the_digits_that_are_asked_for() {
+    let white = Xyz::new(95.047, 100.0, 108.883);
+    assert_eq!(white.to_string(), "X 95.047 Y 100 Z 108.883");
+    let (xy, uv) = (white.xy().expect("a white"), white.uv1976().expect("a white"));
+    assert_eq!(format!("{xy:.4}, {uv:.4}"), "x 0.3127 y 0.3290, u' 0.1978 v' 0.4683");
+    assert_eq!(format!("{:+.0}", white.lab(white).expect("a white")), "L* +100 a* +0 b* +0");
+    assert_eq!(Cct::TooCold.to_string(), "redder than a black body of 1000 K");
+    assert_eq!(white.cct(), white.uv1960().map(|uv| uv.cct()));
 }

@@ -65,7 +65,7 @@ fn basic_xyz(basic: &BasicCounts<8>, out: &mut Outcome<Xyz>) {
 
 #[inline(never)]
 fn xyz_cct_duv(xyz: &Xyz, out: &mut Option<Cct>) {
-    *out = xyz.uv1960().map(|uv| uv.cct());
+    *out = xyz.cct();
 }
 
 #[inline(never)]

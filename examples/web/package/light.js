@@ -20,9 +20,9 @@ const NO_RENDERING = [
   '',
   'the light has no visible power',
   'under this light a sample has no real color (negative values?)',
-  'the light is redder than 1000 K: there is no reference',
-  'the light is bluer than 1000000 K: there is no reference',
-  'the light is more than 0.05 (Duv) from the Planckian locus: not a white',
+  `there is no reference: the light is ${NO_WHITE[1]}`,
+  `there is no reference: the light is ${NO_WHITE[2]}`,
+  `there is no reference: the light is ${NO_WHITE[3]}`,
 ];
 const OF_THE_LIGHT = [
   'cct_k',

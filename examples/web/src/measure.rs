@@ -70,7 +70,7 @@ pub fn chromaticity(out: &mut Out, xyz: Xyz) {
 
 /// CCT, Duv and 0; or, with no such numbers, 1 too cold, 2 too hot, 3 off the locus, 4 no chromaticity.
 fn white(xyz: Xyz) -> [f32; 3] {
-    let why = match xyz.uv1960().map(Uv1960::cct) {
+    let why = match xyz.cct() {
         Some(Cct::Near { cct_k, duv }) => return [cct_k, duv, 0.0],
         Some(Cct::TooCold) => 1.0,
         Some(Cct::TooHot) => 2.0,

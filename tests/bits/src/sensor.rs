@@ -3,6 +3,7 @@
 use super::colors::WHITE;
 use super::hash::{Hash, Random};
 use core::array::from_fn;
+use nanospectra::color::Cct;
 use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter, FixedObserver, FixedXyz};
@@ -56,7 +57,7 @@ fn reading<T: Count>(
         match basic.and_then(|basic| to_xyz.xyz(&basic.without(&drift, 41.5))) {
             Ok(xyz) => {
                 hash.all(&xyz.to_array());
-                let cct = xyz.uv1960().and_then(|uv| uv.cct().near());
+                let cct = xyz.cct().and_then(Cct::near);
                 hash.maybe(cct.map(|(cct_k, duv)| [cct_k, duv]));
                 let white = WHITE.xyz(1000.0).unwrap_or_default();
                 for lab in [xyz.lab(white), xyz.lab_with::<Fast>(white)].into_iter().flatten() {

@@ -5,7 +5,7 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use as7341::{As7341, Gain};
-use nanospectra::color::Cct;
+use nanospectra::color::{Cct, Xyz};
 use nanospectra::sensor::chip;
 use nanospectra_firmware::mock_bus::{As7341Registers, NoDelay};
 use nanospectra_firmware::pipeline::TO_XYZ;
@@ -47,7 +47,7 @@ fn read() -> i32 {
     let exposure = chip::as7341::exposure(gain.multiplier(), atime, astep);
 
     let color = exposure.basic_counts(&counts).and_then(|basic| TO_XYZ.xyz(&basic));
-    let cct = color.ok().and_then(|xyz| xyz.uv1960()).map(|uv| uv.cct());
+    let cct = color.ok().and_then(Xyz::cct);
     let Some(Cct::Near { cct_k, duv }) = cct else {
         println!("no color temperature: {color:?}");
         return 1;

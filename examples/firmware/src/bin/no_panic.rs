@@ -73,7 +73,7 @@ fn meaning(lamp: &Fine<Power>) {
     black_box((illuminance(lamp), scotopic_illuminance(&lamp.within(400.0, 700.0))));
     let xyz = Xyz::from(CIE_1931.sees(lamp));
     let (white, xy) = (black_box(Xyz::new(95.047, 100.0, 108.883)), xyz.xy().unwrap_or(Xy::new(0.3, 0.3)));
-    black_box((xyz.uv1960().map(|uv| uv.cct()), xyz.uv1976(), xyz.with_y(100.0)));
+    black_box((xyz.cct(), xyz.uv1976(), xyz.with_y(100.0)));
     black_box(dominant_wavelength(xy, Xy::new(1.0 / 3.0, 1.0 / 3.0), &CIE_1931));
     let (lab, gray) =
         (xyz.lab(white).unwrap_or(Lab::new(50.0, 0.0, 0.0)), black_box(Lab::new(50.0, 1.0, 1.0)));

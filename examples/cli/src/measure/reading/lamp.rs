@@ -50,18 +50,16 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
 
 /// Color temperature.
 fn white(reading: &mut Reading, standard: Xyz) {
-    let why = match standard.uv1960().map(|uv| uv.cct()) {
+    let why = match standard.cct() {
         Some(Cct::Near { cct_k, duv }) => {
             reading.cct_k = Some(cct_k);
             reading.duv = Some(duv);
             return;
         }
-        Some(Cct::TooCold) => "redder than a black body of 1000 K",
-        Some(Cct::TooHot) => "bluer than a black body of a million K",
-        Some(_) => "not a white: more than 0.05 from the Planckian locus",
-        None => "no chromaticity for the 1931 observer",
+        Some(none) => none.to_string(),
+        None => "no chromaticity for the 1931 observer".into(),
     };
-    reading.missing(&["cct_k", "duv"], why);
+    reading.missing(&["cct_k", "duv"], &why);
 }
 
 /// How the light renders colors.
