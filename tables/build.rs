@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 mod fixed_locus;
+mod lights;
 mod locus;
 mod reference;
 mod table;
@@ -17,13 +18,17 @@ mod upsample;
 
 use table::Table;
 
-/// An XYZ observer, cone set or luminous efficiency: one static with a row for each column,
-/// padded with zeros to the CIE grid of 360..=830 nm.
-const OBSERVERS: &[(&str, &str, &str)] = &[
-    ("CIE_1931", "cie_1931_2deg_xyz_1nm", "x-bar, y-bar, z-bar"),
-    ("CIE_1964", "cie_1964_10deg_xyz_1nm", "x-bar, y-bar, z-bar of the 10 degree field"),
-    ("CIE_2015_2", "cie_2015_2deg_xyz_1nm", "x-bar, y-bar, z-bar made from the cone fundamentals"),
-    ("CIE_2015_10", "cie_2015_10deg_xyz_1nm", "x-bar, y-bar, z-bar made from the cone fundamentals"),
+/// An XYZ observer: one static with three rows, padded with zeros to the CIE grid of 360..=830 nm. With the name that
+/// users type and the title for reports, which make `observer::NAMED`.
+const OBSERVERS: &[(&str, &str, &str, &str)] = &[
+    ("CIE_1931", "cie_1931_2deg_xyz_1nm", "1931", "CIE 1931, 2°"),
+    ("CIE_1964", "cie_1964_10deg_xyz_1nm", "1964", "CIE 1964, 10°"),
+    ("CIE_2015_2", "cie_2015_2deg_xyz_1nm", "2015-2", "CIE 2015, 2°"),
+    ("CIE_2015_10", "cie_2015_10deg_xyz_1nm", "2015-10", "CIE 2015, 10°"),
+];
+
+/// Luminous efficiencies and the alpha-opic functions: likewise, with a row for each column.
+const RESPONSES: &[(&str, &str, &str)] = &[
     ("V_PHOTOPIC", "v_photopic_1nm", "V(lambda)"),
     ("V_SCOTOPIC", "v_scotopic_1nm", "V'(lambda)"),
     ("ALPHA_OPIC", "alpha_opic_s026_1nm", "S-cone, M-cone, L-cone, rhodopsin, melanopsin"),
@@ -34,26 +39,61 @@ const CONES: &[(&str, &str)] =
     &[("LMS_2_5NM", "cie_2006_2deg_lms_5nm_official"), ("LMS_10_5NM", "cie_2006_10deg_lms_5nm_official")];
 
 /// Illuminants: one static for each column, on the published grid. The suffix goes after the
-/// column's name: `FL11` is the official 5 nm table, `FL11_1NM` the other one.
-const ILLUMINANTS: &[(&str, &str)] = &[
-    ("A_1nm", ""),
-    ("C_5nm", ""),
-    ("D50_1nm", ""),
-    ("D55_5nm", ""),
-    ("D65_1nm", ""),
-    ("D75_5nm", ""),
-    ("ID50_5nm", ""),
-    ("ID65_5nm", ""),
-    ("FL_5nm", ""),
-    ("FL_1nm", "_1NM"),
-    ("HP_5nm", ""),
-    ("LED_5nm", ""),
-    ("LED_1nm", "_1NM"),
-    ("L41_1nm", ""),
+/// column's name: `FL11` is the official 5 nm table, `FL11_1NM` the other one. What a light is stands with the last
+/// column that is of this kind.
+const ILLUMINANTS: &[(&str, &str, Kinds)] = &[
+    ("A_1nm", "", &[("A", "a tungsten filament lamp")]),
+    ("C_5nm", "", &[("C", "daylight as a filtered tungsten lamp gives it")]),
+    ("D50_1nm", "", &[("D50", "daylight")]),
+    ("D55_5nm", "", &[("D55", "daylight")]),
+    ("D65_1nm", "", &[("D65", "daylight")]),
+    ("D75_5nm", "", &[("D75", "daylight")]),
+    ("ID50_5nm", "", &[("ID50", "daylight indoors, behind a window")]),
+    ("ID65_5nm", "", &[("ID65", "daylight indoors, behind a window")]),
+    ("FL_5nm", "", FLUORESCENT),
+    ("FL_1nm", "_1NM", FLUORESCENT),
+    (
+        "HP_5nm",
+        "",
+        &[
+            ("HP1", "a high-pressure sodium lamp"),
+            ("HP2", "a high-pressure sodium lamp of enhanced color"),
+            ("HP5", "a high-pressure metal halide lamp"),
+        ],
+    ),
+    ("LED_5nm", "", LEDS),
+    ("LED_1nm", "_1NM", LEDS),
+    ("L41_1nm", "", &[("L41", "a white LED, the reference for calibrating photometers")]),
+];
+
+type Kinds = &'static [(&'static str, &'static str)];
+
+const FLUORESCENT: Kinds = &[
+    ("FL6", "a fluorescent lamp, standard"),
+    ("FL9", "a fluorescent lamp, broad-band"),
+    ("FL12", "a fluorescent lamp, narrow-band"),
+    ("FL3.3", "a fluorescent lamp, standard halophosphate"),
+    ("FL3.6", "a fluorescent lamp, DeLuxe"),
+    ("FL3.11", "a fluorescent lamp, three-band"),
+    ("FL3.14", "a fluorescent lamp, multi-band"),
+    ("FL3.15", "a fluorescent lamp that simulates D65"),
+];
+const LEDS: Kinds = &[
+    ("LED-B5", "a blue LED with a phosphor"),
+    ("LED-BH1", "a blue LED with a phosphor beside a red LED"),
+    ("LED-RGB1", "red, green and blue LEDs"),
+    ("LED-V2", "a violet LED with phosphors"),
 ];
 
 /// What daylight is made of; no illuminants themselves.
-const DAYLIGHT: &str = "daylight_components_5nm";
+const COMPONENTS: (&str, Kinds) = (
+    "daylight_components_5nm",
+    &[
+        ("S0", "the mean of daylight"),
+        ("S1", "the first component of daylight, from yellow to blue"),
+        ("S2", "the second component of daylight, from pink to green"),
+    ],
+);
 
 /// Sample sets: one static array for each file.
 const SAMPLES: &[(&str, &str, &str)] = &[
@@ -74,31 +114,52 @@ fn generate() -> Result<(), String> {
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: run through cargo")?);
     let tables = Path::new("tables");
 
-    let mut text = String::new();
-    for (name, file, rows) in OBSERVERS {
-        let table = Table::read(&tables.join("cmf").join(file).with_extension("csv"))?;
-        observer(&mut text, name, rows, &table)?;
+    let read = |folder: &str, file: &str| Table::read(&tables.join(folder).join(file).with_extension("csv"));
+    let cmf = read("cmf", OBSERVERS[0].1)?;
+
+    let (mut text, mut named) = (String::new(), String::new());
+    for (constant, file, name, title) in OBSERVERS {
+        observer(&mut text, constant, "x-bar, y-bar, z-bar", &read("cmf", file)?)?;
+        let _ = writeln!(named, "    {name:?} {title:?} {constant},");
+    }
+    for (name, file, rows) in RESPONSES {
+        observer(&mut text, name, rows, &read("cmf", file)?)?;
     }
     for (name, file) in CONES {
-        let table = Table::read(&tables.join("cmf").join(file).with_extension("csv"))?;
-        sample_set(&mut text, "", name, "Power", &table);
+        sample_set(&mut text, "", name, "Power", &read("cmf", file)?);
     }
+    text += &format!("by_name! {{\n{named}}}\n");
     save(&out.join("observers.rs"), &text)?;
+    let responses = RESPONSES.iter().map(|row| row.1).chain(CONES.iter().map(|row| row.1));
+    all_listed(&tables.join("cmf"), OBSERVERS.iter().map(|row| row.1).chain(responses))?;
 
-    let (mut text, mut names) = (String::new(), String::new());
-    for (file, suffix) in ILLUMINANTS {
-        let table = Table::read(&tables.join("illuminants").join(file).with_extension("csv"))?;
+    let (mut text, mut names, mut brief) = (String::new(), String::new(), Vec::new());
+    let locus = lights::Locus::new(&cmf);
+    for (file, suffix, kinds) in ILLUMINANTS {
+        let table = read("illuminants", file)?;
         table.demand_between(0.0, 1e6)?;
-        illuminants(&mut text, &mut names, suffix, &table);
+        for (column, name) in table.columns.iter().zip(&table.names) {
+            let color = locus.describe(&table, column, &cmf);
+            let constant =
+                light(&mut text, &table, column, name, suffix, &(kind(kinds, &table, name)? + &color));
+            let _ = writeln!(names, "    \"{name}{suffix}\" => {constant},");
+        }
+        if suffix.is_empty() {
+            brief.extend(table.names.clone());
+        }
     }
-    let components = Table::read(&tables.join("illuminants").join(DAYLIGHT).with_extension("csv"))?;
-    illuminants(&mut text, &mut String::new(), "", &components);
-    text += &format!("by_name! {{\n{names}}}\n");
+    let (file, kinds) = COMPONENTS;
+    let table = read("illuminants", file)?;
+    for (column, name) in table.columns.iter().zip(&table.names) {
+        light(&mut text, &table, column, name, "", &kind(kinds, &table, name)?);
+    }
+    text += &format!("by_name! {{\n    \"E, {}\";\n{names}}}\n", lights::in_brief(&brief));
     save(&out.join("illuminants.rs"), &text)?;
+    all_listed(&tables.join("illuminants"), ILLUMINANTS.iter().map(|row| row.0).chain([file]))?;
 
     let mut text = String::new();
     for (visible, name, file) in SAMPLES {
-        let table = Table::read(&tables.join("samples").join(file).with_extension("csv"))?;
+        let table = read("samples", file)?;
         table.demand_between(0.0, 1.5)?;
         sample_set(&mut text, visible, name, "Factor", &table);
     }
@@ -106,7 +167,6 @@ fn generate() -> Result<(), String> {
 
     save(&out.join("upsample.rs"), &upsample::source(&tables.join("upsample"))?)?;
 
-    let cmf = Table::read(&tables.join("cmf/cie_1931_2deg_xyz_1nm.csv"))?;
     save(&out.join("fixed_locus.rs"), &fixed_locus::source(&cmf))?;
     save(&out.join("reference.rs"), &reference::source(&cmf))?;
     save(&out.join("locus.rs"), &locus::source(&cmf))
@@ -130,18 +190,35 @@ fn observer(text: &mut String, name: &str, rows: &str, table: &Table) -> Result<
     Ok(())
 }
 
-/// `pub static FL11: Spectrum<Power, 81, Nodes<380, 780>> = ..;` for each column, and its line in
-/// the list of names.
-fn illuminants(text: &mut String, names: &mut String, suffix: &str, table: &Table) {
-    for (column, header) in table.columns.iter().zip(&table.names) {
-        let name = header.replace(['-', '.'], "_") + suffix;
-        let (grid, bands) = (table.grid(), column.len());
-        let values = numbers(column);
-        let _ = writeln!(text, "{}///\n/// This is {header}.", table.docs());
-        let _ = writeln!(names, "    \"{header}{suffix}\" => {name},");
-        let _ = writeln!(text, "pub static {name}: Spectrum<Power, {bands}, {grid}> =");
-        let _ = writeln!(text, "    Spectrum::from_bins({values});");
+/// `pub static FL11: Spectrum<Power, 81, Nodes<380, 780>> = ..;` for a column, whose constant it returns.
+fn light(text: &mut String, table: &Table, column: &[f64], name: &str, suffix: &str, what: &str) -> String {
+    let constant = name.replace(['-', '.'], "_") + suffix;
+    let (grid, bands, step) = (table.grid(), column.len(), table.step());
+    let _ = write!(text, "/// CIE {name} every {step} nm: {what}.\n///\n{}", table.docs());
+    let _ = writeln!(text, "pub static {constant}: Spectrum<Power, {bands}, {grid}> =");
+    let _ = writeln!(text, "    Spectrum::from_bins({});", numbers(column));
+    constant
+}
+
+/// What the light of a column is.
+fn kind(kinds: Kinds, table: &Table, name: &str) -> Result<String, String> {
+    let place = |name: &str| table.names.iter().position(|other| other == name);
+    let kind = kinds.iter().find(|(last, _)| *last == name || place(last) >= place(name));
+    let missing = || format!("tables/build.rs does not say what {name} is; add it to its kinds");
+    kind.map(|(_, what)| (*what).to_owned()).ok_or_else(missing)
+}
+
+/// Refuses a folder with a table that no list of this file names.
+fn all_listed<'a>(folder: &Path, files: impl Iterator<Item = &'a str>) -> Result<(), String> {
+    let files: Vec<&str> = files.collect();
+    for entry in fs::read_dir(folder).map_err(|e| format!("{}: {e}", folder.display()))? {
+        let path = entry.map_err(|e| format!("{}: {e}", folder.display()))?.path();
+        let name = path.file_stem().and_then(|name| name.to_str()).unwrap_or_default();
+        if path.extension().is_some_and(|extension| extension == "csv") && !files.contains(&name) {
+            return Err(format!("{}: in no list of tables/build.rs; add a row", path.display()));
+        }
     }
+    Ok(())
 }
 
 /// `pub static CES: [Spectrum<Factor, 401, Nodes<380, 780>>; 99] = ..;`

@@ -99,7 +99,8 @@ impl Table {
         Ok(())
     }
 
-    fn step(&self) -> u16 {
+    /// From one row to the next, nm.
+    pub fn step(&self) -> u16 {
         match self.wavelengths[..] {
             [a, b, ..] => b.saturating_sub(a),
             _ => 0,

@@ -8,9 +8,9 @@
 use crate::grid::Nodes;
 use crate::spectrum::{Fine, Interpolation, Power, Spectrum};
 
-/// Makes [`NAMES`], [`named`] and [`interpolated`] from the list that the build script writes beside the tables.
+/// Makes the lists of names, [`named`] and [`interpolated`] from the list that the build script writes beside the tables.
 macro_rules! by_name {
-    ($($name:literal => $table:ident,)*) => {
+    ($brief:literal; $($name:literal => $table:ident,)*) => {
         /// The names of all illuminants that [`named`] knows, `"E"` for equal energy first. Those that end in `_1NM`
         /// are the CIE's second tables of the same lamps, every nanometer.
         ///
@@ -20,6 +20,13 @@ macro_rules! by_name {
         /// assert!(light::NAMES.iter().all(|name| light::named(name).is_some()));
         /// ```
         pub const NAMES: &[&str] = &["E", $($name),*];
+
+        /// [`NAMES`] for a message, as `FL1..FL12`; without the second tables.
+        ///
+        /// ```
+        /// assert!(nanospectra::light::NAMES_IN_BRIEF.starts_with("E, A, C, D50"));
+        /// ```
+        pub const NAMES_IN_BRIEF: &str = $brief;
 
         /// The illuminant of this name on the CIE's 1 nm grid, zero outside its table: `"D65"`, `"FL3.1"`,
         /// `"LED-B3"`, `"FL11_1NM"`, and `"E"` for equal energy. [`NAMES`] has them all.

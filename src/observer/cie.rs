@@ -13,7 +13,41 @@ pub const KM: f32 = 683.002;
 /// Luminous efficacy for scotopic vision, lm/W: times the sum of power and V'(lambda) (CIE 18:2019).
 pub const KM_SCOTOPIC: f32 = 1700.0;
 
+/// Color-matching functions with the name that users type.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedObserver {
+    /// What users type: `"1931"`, `"2015-10"`.
+    pub name: &'static str,
+    /// For reports: `"CIE 1931, 2°"`.
+    pub title: &'static str,
+    /// The functions themselves.
+    pub functions: &'static FineObserver<3>,
+}
+
+/// Makes [`NAMED`] from the list that the build script writes beside the tables.
+macro_rules! by_name {
+    ($($name:literal $title:literal $functions:ident,)*) => {
+        /// All color-matching functions that users choose by name, that of 1931 first.
+        ///
+        /// A program that reads this contains the tables of all of them, 23 KB.
+        pub static NAMED: [NamedObserver; [$($name),*].len()] =
+            [$(NamedObserver { name: $name, title: $title, functions: &$functions }),*];
+    };
+}
+
 include!(concat!(env!("OUT_DIR"), "/observers.rs"));
+
+/// The color-matching functions of this name, from [`NAMED`].
+///
+/// ```
+/// # use nanospectra::observer::{self, CIE_1964};
+/// assert_eq!(observer::named("1964").map(|observer| observer.functions), Some(&CIE_1964));
+/// assert!(observer::named("1932").is_none());
+/// ```
+#[must_use]
+pub fn named(name: &str) -> Option<&'static NamedObserver> {
+    NAMED.iter().find(|observer| observer.name == name)
+}
 
 /// CIE 2006 cone fundamentals, 2 degrees: long, middle and short wavelength cones.
 ///

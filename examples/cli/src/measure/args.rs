@@ -3,8 +3,9 @@
 use crate::failure::Failure;
 use crate::input::text::check_stdin;
 use clap::ValueEnum;
-use nanospectra::observer::{CIE_1931, CIE_1964, CIE_2015_2, CIE_2015_10};
-use nanospectra::{FineObserver, Interpolation};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use nanospectra::Interpolation;
+use nanospectra::observer::{self, NAMED, NamedObserver};
 use std::path::PathBuf;
 
 const INPUT: &str = "\
@@ -41,7 +42,7 @@ pub struct Args {
     pub files: Vec<PathBuf>,
 
     /// Color-matching functions
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = eye(), default_value = NAMED[0].name)]
     pub observer: Eye,
 
     /// The spectra are reflectances (shares 0..1) of surfaces, not lights
@@ -74,19 +75,9 @@ pub struct Args {
     pub svg: Option<PathBuf>,
 }
 
-/// `--observer`
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Eye {
-    #[default]
-    #[value(name = "1931", help = "CIE 1931, 2 degrees")]
-    Cie1931,
-    #[value(name = "1964", help = "CIE 1964, 10 degrees")]
-    Cie1964,
-    #[value(name = "2015-2", help = "CIE 2015, cone fundamentals, 2 degrees")]
-    Cie2015Deg2,
-    #[value(name = "2015-10", help = "CIE 2015, cone fundamentals, 10 degrees")]
-    Cie2015Deg10,
-}
+/// `--observer`: one of [`NAMED`].
+#[derive(Clone, Copy, Debug)]
+pub struct Eye(pub &'static NamedObserver);
 
 /// `--unit`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -115,26 +106,16 @@ impl Args {
     }
 }
 
-impl Eye {
-    /// The functions behind the name.
-    pub fn observer(self) -> &'static FineObserver<3> {
-        match self {
-            Eye::Cie1931 => &CIE_1931,
-            Eye::Cie1964 => &CIE_1964,
-            Eye::Cie2015Deg2 => &CIE_2015_2,
-            Eye::Cie2015Deg10 => &CIE_2015_10,
-        }
+impl Default for Eye {
+    fn default() -> Self {
+        Eye(&NAMED[0])
     }
+}
 
-    /// For reports.
-    pub fn title(self) -> &'static str {
-        match self {
-            Eye::Cie1931 => "CIE 1931, 2°",
-            Eye::Cie1964 => "CIE 1964, 10°",
-            Eye::Cie2015Deg2 => "CIE 2015, 2°",
-            Eye::Cie2015Deg10 => "CIE 2015, 10°",
-        }
-    }
+/// Takes the names of the observers, and lists them in the help.
+fn eye() -> impl TypedValueParser<Value = Eye> {
+    let choices = NAMED.iter().map(|observer| PossibleValue::new(observer.name).help(observer.title));
+    PossibleValuesParser::new(choices).map(|name| observer::named(&name).map_or_else(Eye::default, Eye))
 }
 
 impl From<Between> for Interpolation {

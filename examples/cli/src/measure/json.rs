@@ -30,7 +30,7 @@ pub fn object(bench: &Bench, reading: &Reading) -> Value {
         "ppfd": reading.ppfd.map(number),
         "notes": reading.notes.iter().map(|note| format!("{}: {}", note.key, note.text)).collect::<Vec<_>>(),
         "delta_e2000": reading.delta_e2000.map(single),
-        "observer": name_of(bench.eye),
+        "observer": bench.eye.name,
         "interpolation": name_of(bench.between),
         "unit": name_of(bench.unit),
         "file": reading.file,

@@ -1,8 +1,8 @@
 //! One measured spectrum: samples with the lines they came from, on their way to the 1 nm grid.
 
 use crate::failure::Failure;
-use crate::measure::args::Eye;
 use crate::measure::exact;
+use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
 use std::rc::Rc;
 
@@ -72,8 +72,8 @@ impl Source {
     }
 
     /// The failure of a light that `eye` does not see.
-    pub fn invisible(&self, eye: Eye) -> Failure {
-        let eye = eye.title();
+    pub fn invisible(&self, eye: &NamedObserver) -> Failure {
+        let eye = eye.title;
         self.wrong(&format!("nothing visible, Y is not above zero for {eye}; check range and dark reading"))
     }
 

@@ -39,7 +39,7 @@ fn title(bench: &Bench, reading: &Reading) -> String {
         (None, Unit::Absolute) => "light, W/m2/nm".into(),
     };
     let between = name_of(bench.between);
-    format!("{name}   ({file}: {kind}; {}; {between} to 1 nm)\n", bench.eye.title())
+    format!("{name}   ({file}: {kind}; {}; {between} to 1 nm)\n", bench.eye.title)
 }
 
 fn rows(report: &mut Report, facts: &[Fact]) {

@@ -79,7 +79,7 @@ impl<'a> Job<'a> {
 
 fn lamp(name: &str) -> Result<Lamp, Failure> {
     let (name, power) = illuminants::find(name, Interpolation::Linear).ok_or_else(|| {
-        let what = format!("no CIE illuminant; use {} or L41", illuminants::NAMES);
+        let what = format!("no CIE illuminant; use one of {}", nanospectra::light::NAMES_IN_BRIEF);
         Failure::of(format_args!("--light {}", short(name)), what)
     })?;
     Ok(Lamp { name, power })

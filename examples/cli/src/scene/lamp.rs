@@ -21,7 +21,7 @@ pub fn of(recipe: &Recipe) -> Result<Lamp, Failure> {
     let (name, power) = match (&lamp.cie, lamp.blackbody_k, &lamp.csv, &lamp.points) {
         (Some(name), None, None, None) => {
             let what =
-                || format!("'{}' is no CIE illuminant; use {} or L41", short(name), illuminants::NAMES);
+                || format!("'{}' is no CIE illuminant; use one of {}", short(name), light::NAMES_IN_BRIEF);
             illuminants::find(name, Interpolation::Linear).ok_or_else(|| wrong(what()))?
         }
         (None, Some(kelvin), None, None) => {

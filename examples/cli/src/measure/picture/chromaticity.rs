@@ -25,7 +25,7 @@ const STOPS: usize = 6;
 const PURPLES: usize = 40;
 
 pub fn draw(area: Area, bench: &Bench, reading: &Reading) -> Group {
-    let eye = bench.eye.observer();
+    let eye = bench.eye.functions;
     let frame =
         Frame { area, x: Axis { from: 0.0, to: 0.8, step: 0.2 }, y: Axis { from: 0.0, to: 0.9, step: 0.2 } };
     let locus: Vec<Xy> = (FIRST..=LAST).filter_map(|nm| spectral(eye, nm)).collect();

@@ -58,7 +58,7 @@ fn page(bench: &Bench, reading: &Reading) -> Document {
         name
     };
     let under = bench.room.as_ref().map(|room| format!("reflectance under {}", printable(&room.light.name)));
-    let subtitle = format!("{}  ·  {}", under.unwrap_or("light".into()), bench.eye.title());
+    let subtitle = format!("{}  ·  {}", under.unwrap_or("light".into()), bench.eye.title);
     picture::page(740.0, &title, &subtitle)
         .add(curve(bench, reading))
         .add(chromaticity::draw(diagram, bench, reading))

@@ -2,7 +2,7 @@
 
 use super::{Bench, Reading};
 use crate::failure::Failure;
-use crate::measure::args::{Eye, Unit};
+use crate::measure::args::Unit;
 use crate::measure::source::{Lamp, Source};
 use nanospectra::color::{Cct, Rgb, Xy, Xyz, cri, tm30};
 use nanospectra::observer::{CIE_1931, KM};
@@ -17,7 +17,7 @@ const MAX_DC: f32 = 5.4e-3;
 
 pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     let Lamp { power, scale } = source.light(bench.by())?;
-    let seen = Xyz::from(bench.eye.observer().sees(&power));
+    let seen = Xyz::from(bench.eye.functions.sees(&power));
     let standard = Xyz::from(CIE_1931.sees(&power));
     let relative =
         seen.with_y(100.0).filter(|_| standard.y > 0.0).ok_or_else(|| source.invisible(bench.eye))?;
@@ -36,10 +36,10 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     reading.note("srgb", "the light's chromaticity at Y = 100, clipped to the gamut; so is hex");
     let surfaces = "a light has none: it needs a surface and a white";
     reading.missing(&["lab", "delta_e2000"], surfaces);
-    if bench.eye != Eye::Cie1931 {
+    if !std::ptr::eq(bench.eye.functions, &CIE_1931) {
         let what =
             "for XYZ, chromaticity, dominant wavelength and sRGB; CCT, Duv, CRI and photometry stay with";
-        reading.note("observer", format!("{} {what} CIE 1931", bench.eye.title()));
+        reading.note("observer", format!("{} {what} CIE 1931", bench.eye.title));
     }
     for remark in source.remarks::<Power>(bench.by()) {
         reading.note("data", remark);

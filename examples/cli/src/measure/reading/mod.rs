@@ -7,17 +7,18 @@ mod surface;
 pub use compare::{Comparison, Difference};
 
 use crate::failure::Failure;
-use crate::measure::args::{Args, Between, Eye, Unit};
+use crate::measure::args::{Args, Between, Unit};
 use crate::measure::input;
 use crate::measure::lights::{self, Illuminant};
 use crate::measure::source::Source;
 use nanospectra::color::{Lab, Rgb, Srgb, Uv1960, Uv1976, Xy, Xyz, dominant_wavelength};
+use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
 use std::path::Path;
 
 /// What all spectra of a run are measured with.
 pub struct Bench {
-    pub eye: Eye,
+    pub eye: &'static NamedObserver,
     pub between: Between,
     pub unit: Unit,
     /// For reflectances.
@@ -80,11 +81,11 @@ impl Bench {
     /// As the options ask.
     pub fn new(args: &Args) -> Result<Self, Failure> {
         let mut bench =
-            Bench { eye: args.observer, between: args.interpolation, unit: args.unit, room: None };
+            Bench { eye: args.observer.0, between: args.interpolation, unit: args.unit, room: None };
         if args.reflectance {
             let name = args.light.as_deref().unwrap_or(Path::new("D65"));
             let light = lights::find(name, bench.by(), bench.eye)?;
-            let eye = bench.eye.observer().under(&light.power).with_white_y(100.0);
+            let eye = bench.eye.functions.under(&light.power).with_white_y(100.0);
             let white = Xyz::from(eye.sees(&Fine::flat(1.0)));
             bench.room = Some(Room { light, eye, white });
         }
@@ -164,7 +165,7 @@ impl Reading {
             reading.missing(&["xy", "uv1960", "uv1976", "dominant_wavelength_nm", "purity"], black);
             return reading;
         };
-        if let Some(dominant) = dominant_wavelength(xy, white, bench.eye.observer()) {
+        if let Some(dominant) = dominant_wavelength(xy, white, bench.eye.functions) {
             reading.dominant_wavelength_nm = Some(dominant.nm);
             reading.purity = Some(dominant.purity);
         } else {
