@@ -1,6 +1,6 @@
 //! What light can meet, and what leaves it.
 
-use crate::observer::Path;
+use crate::observer::Stimulus;
 use crate::path::{Plain, Times};
 use crate::spectrum::{Factor, Spectrum};
 
@@ -46,7 +46,7 @@ pub trait Filter<L> {
     fn transmit(self, light: L) -> Self::Leaving;
 }
 
-impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
 
     #[inline]
@@ -55,7 +55,7 @@ impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Sp
     }
 }
 
-impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
 
     #[inline]

@@ -13,7 +13,7 @@
 //!
 //! The stages are references: a path is as long as they are, and one pass over the bins evaluates it. What light
 //! carries, and what happens to it, are types, so an effect that is not written costs nothing. What an observer can look
-//! at is a [`Path`](crate::observer::Path):
+//! at is a [`Stimulus`](crate::observer::Stimulus):
 //!
 //! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
 //!   it; a [`Dye`](crate::matter::Dye) or a [`Donaldson`](crate::matter::Donaldson) matrix makes it fluoresce.
@@ -130,19 +130,20 @@
 //! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Bend`](crate::sensor::Bend)), saturates or is
 //! noisy comes after the eye and is no part of a path: there linearity ends.
 
-mod fluorescent;
+mod effect;
 mod fold;
 mod matter;
+mod on_its_way;
 mod plain;
 mod polarized;
 mod rgb;
 mod scene;
 
 pub use crate::price::{Effects, Price, Priced, price_of};
-pub use fluorescent::{Emitted, Excites, Glowing};
+pub use effect::{Affected, Excites, Glowing, Own};
 pub use fold::PolarizedObserver;
 pub use matter::{Filter, Surface};
 pub use plain::{Plain, Times};
-pub use polarized::{Dimmed, Intensity, Natural, Polarized, Stokes, StokesPath, Turned};
+pub use polarized::{Dimmed, IgnoringPolarization, Natural, Polarized, Stokes, StokesPath, Turned};
 pub use rgb::RgbBands;
-pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarization, Part, Scene, WithinBudget};
+pub use scene::{BillLine, IntoPart, Part, PolarizationError, Scene, SceneFullError, WithinBudget};

@@ -2,4 +2,5 @@
 
 mod chain;
 mod fuzz;
+mod own;
 mod scene;

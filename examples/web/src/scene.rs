@@ -7,7 +7,7 @@ use nanospectra::color::{Lab, Xy, Xyz};
 use nanospectra::math::Portable;
 use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polarizer, Retarder, Shares, ThinFilm};
 use nanospectra::observer::{CIE_1931, CIE_1964};
-use nanospectra::path::{Part, Price, Scene};
+use nanospectra::path::{IntoPart, Part, Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
 use nanospectra::{Curve, Light, Nodes, Observer, Outside, Power, Reflectance, Spectrum};
 
@@ -50,10 +50,10 @@ impl What {
             What::Nothing => Part::Filter(&CLEAR),
             What::Plain { factors, matt: true } => Part::Surface(factors),
             What::Plain { factors, matt: false } => Part::Filter(factors),
-            What::Dye(dye) => dye.into(),
-            What::Mirror(mirror) => mirror.into(),
-            What::Polarizer(polarizer) => polarizer.into(),
-            What::Retarder(retarder) => retarder.into(),
+            What::Dye(dye) => dye.into_part(),
+            What::Mirror(mirror) => mirror.into_part(),
+            What::Polarizer(polarizer) => polarizer.into_part(),
+            What::Retarder(retarder) => retarder.into_part(),
         }
     }
 }

@@ -15,7 +15,7 @@ use nanospectra::matter::{
     internal_transmittance, rayleigh_per_m, scattering, stack_bins,
 };
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::path::{Part, Scene};
+use nanospectra::path::{IntoPart, Part, Scene};
 use nanospectra::radiometry::{
     DiskSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance,
     form_factor, solid_angle,
@@ -63,8 +63,14 @@ fn scenes() {
     let (matrix, sheet) = (Donaldson::<31, 496>::of_dye(&VEST), Polarizer::ideal(black_box(0.2)));
     let (lake, plate) = (Mirror::dielectric(&[1.33; 31], 0.5, 0.1), Retarder::flat(black_box(0.2), 0.1));
     let mut scene: Scene<31, 8> = Scene::new();
-    let parts = [Part::Filter(&gray), Part::Surface(&gray), (&VEST).into(), (&matrix).into(), (&lake).into()];
-    for part in parts.into_iter().chain([(&plate).into(), (&sheet).into()]) {
+    let parts = [
+        Part::Filter(&gray),
+        Part::Surface(&gray),
+        (&VEST).into_part(),
+        (&matrix).into_part(),
+        (&lake).into_part(),
+    ];
+    for part in parts.into_iter().chain([(&plate).into_part(), (&sheet).into_part()]) {
         black_box(scene.push(part).is_ok());
     }
     let scene = black_box(scene);
