@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 28] = [
+const REFUSED: [(&str, &str, &[&str]); 30] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -159,6 +159,29 @@ const REFUSED: [(&str, &str, &[&str]); 28] = [
             println!(\"{:?}\", eye.under(&lamp).looking_at_dye(&vest));
         }",
         &["method `looking_at_dye` is available on `&Observer<3, 31, Power>`"],
+    ),
+    (
+        "folds_an_afterglow",
+        "use nanospectra::{Observer, Power, matter::Phosphor, path::Scene};
+        fn main() {}
+        pub fn fold(eye: Observer<3, 31, Power>, paint: Phosphor<31>) {
+            println!(\"{:?}\", eye.looking_at_matter(&paint));
+            println!(\"{:?}\", Scene::<31, 1>::new().push(&paint));
+        }",
+        &[
+            "does not fold into an eye of 31 bins of `Bins<380, 730>`",
+            "if twice the light makes twice as much leave",
+        ],
+    ),
+    (
+        "puts_an_effect_into_the_path_bare",
+        "use nanospectra::{Light, matter::Effect};
+        struct Ink;
+        impl Effect<31> for Ink {
+            fn leaving(&self, light: &Light<31>) -> Light<31> { *light }
+        }
+        fn main() { println!(\"{:?}\", Light::<31>::flat(1.0).onto(&Ink).collected()); }",
+        &["is no surface that", "on an effect of your own in `Own::new(&ink)`"],
     ),
     (
         "puts_a_filter_of_another_grid_into_the_path",

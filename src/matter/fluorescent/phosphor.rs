@@ -99,7 +99,7 @@ impl<const N: usize, G> Phosphor<N, G> {
     }
 }
 
-/// Whatever the light, it emits the glow of this moment; so it does not fold.
+/// It emits the glow of this moment, whatever light falls on it. So it is not linear in the light, and does not fold.
 impl<const N: usize, G> Effect<N, G> for Phosphor<N, G> {
     #[inline]
     fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {

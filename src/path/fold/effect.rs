@@ -32,7 +32,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
         Self::unchecked(weights)
     }
 
-    /// This observer turned to matter of any kind that folds, at run time, in f32.
+    /// This observer turned to matter of any kind that folds, an effect of your own included. Computes in f32, at run time.
     #[must_use]
     pub fn looking_at_matter<M: Foldable<N, G> + ?Sized>(&self, matter: &M) -> Self {
         let mut weights = self.0;

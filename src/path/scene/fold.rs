@@ -5,7 +5,7 @@ use crate::path::PolarizedObserver;
 use crate::path::scene::{Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// A part of a scene does something to polarized light that plain light cannot tell.
+/// A part of the scene polarizes light, which one number for each bin does not describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolarizationError {
@@ -97,7 +97,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         eye.unpolarized()
     }
 
-    /// Whether plain light can tell all that happens.
+    /// Whether one number for each bin describes all that happens.
     pub(super) fn unpolarized(&self) -> Result<(), PolarizationError> {
         let polarizes = self.steps().position(|step| !step.left_out && step.part.polarizes());
         polarizes.map_or(Ok(()), |part| Err(PolarizationError { part }))

@@ -61,7 +61,7 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// Whether plain light cannot tell what it does.
+    /// Whether one number for each bin does not describe what it does.
     pub(super) const fn polarizes(&self) -> bool {
         matches!(self, Part::Polarizing { .. })
     }

@@ -8,10 +8,10 @@ use crate::path::{Effects, Price};
 /// which light meets them, in fixed memory.
 ///
 /// A path that is known while compiling is better written as one (`lamp.through(&glass).onto(&vest)`): then what
-/// cannot be does not compile, and an effect that is not there is not in the image. A scene is an enum, and has the
-/// code of all of them.
+/// cannot be does not compile, and nothing is decided at run time.
 ///
-/// Lamp first, every part worked out in turn, or eye first: folded into an observer that is as cheap as any.
+/// A scene can be evaluated from the lamp on, part by part ([`leaving`](Self::leaving)), or from the eye back:
+/// [`fold`](Self::fold) gives an observer that costs as much as any other.
 ///
 /// ```
 /// use nanospectra::matter::Dye;
