@@ -2,6 +2,7 @@
 //! that absorb and scatter; matter that fluoresces, glows on or polarizes; and the reflectances that color rendering
 //! is judged by.
 
+mod effect;
 mod film;
 mod fluorescent;
 mod polarizing;
@@ -9,6 +10,7 @@ mod surface;
 mod volume;
 
 pub use crate::test_samples::{CES, TCS};
+pub use effect::{Effect, Foldable, Glows};
 pub use film::*;
 pub use fluorescent::*;
 pub use polarizing::*;

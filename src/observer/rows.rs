@@ -1,7 +1,7 @@
 //! An observer: C rows of N weights, one for each number it reports.
 
 use crate::grid::{Bands, Bins, Grid, Layout, Nodes};
-use crate::observer::Path;
+use crate::observer::Stimulus;
 use crate::spectrum::{Factor, Power, Quantity, Spectrum};
 use crate::sum;
 use core::marker::PhantomData;
@@ -163,8 +163,8 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
     /// `C * N` multiplications and additions; 16 bands to XYZ are 162 instructions on a Cortex-M4F (253 at opt-level "s").
     #[must_use]
     #[inline]
-    pub fn sees<P: Path<Q, N, G>>(&self, path: P) -> [f32; C] {
-        path.read(|bins| sum::rows(&self.0, bins))
+    pub fn sees<S: Stimulus<Q, N, G>>(&self, stimulus: S) -> [f32; C] {
+        stimulus.read(|spectrum| sum::rows(&self.0, &spectrum.0))
     }
 
     /// What it reports of each spectrum of a batch; the same bits as [`sees`](Self::sees) one by one.

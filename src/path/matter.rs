@@ -1,6 +1,6 @@
 //! What light can meet, and what leaves it.
 
-use crate::observer::Path;
+use crate::observer::Stimulus;
 use crate::path::{Plain, Times};
 use crate::spectrum::{Factor, Spectrum};
 
@@ -8,11 +8,12 @@ use crate::spectrum::{Factor, Spectrum};
 ///
 /// A reflectance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
 /// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Phosphor`](crate::matter::Phosphor), a
-/// [`Mirror`](crate::matter::Mirror); or a type of your own.
+/// [`Mirror`](crate::matter::Mirror); an effect of your own in [`Own`](crate::path::Own).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no surface that `{L}` can fall on",
     label = "no surface for this light",
-    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, on `&Mirror`",
+    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, on `&Mirror`; \
+            on an effect of your own in `Own::new(&ink)`",
     note = "it goes through `&Polarizer` and `&Retarder`: `.through(..)`",
     note = "what is `Power` is light itself: it is applied once, as the start of the path"
 )]
@@ -27,14 +28,15 @@ pub trait Surface<L> {
 /// What light can go through.
 ///
 /// A transmittance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
-/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Polarizer`](crate::matter::Polarizer), a
-/// [`Retarder`](crate::matter::Retarder); or a type of your own.
+/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Phosphor`](crate::matter::Phosphor), a
+/// [`Polarizer`](crate::matter::Polarizer), a [`Retarder`](crate::matter::Retarder); an effect of your own in
+/// [`Own`](crate::path::Own).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no filter that `{L}` can go through",
     label = "no filter for this light",
-    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, and, once `.polarized()`, \
-            through `&Polarizer` and `&Retarder`",
-    note = "it falls on `&Mirror` and `&Phosphor`: `.onto(..)`",
+    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, \
+            through `&Polarizer` and `&Retarder`; through an effect of your own in `Own::new(&ink)`",
+    note = "it falls on `&Mirror`: `.onto(..)`",
     note = "what a dye leaves of polarization is not known: `.ignoring_polarization()` before `.through(&dye)`",
     note = "what is `Power` is light itself: it is applied once, as the start of the path"
 )]
@@ -46,7 +48,7 @@ pub trait Filter<L> {
     fn transmit(self, light: L) -> Self::Leaving;
 }
 
-impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
 
     #[inline]
@@ -55,7 +57,7 @@ impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'m Sp
     }
 }
 
-impl<'m, Q, P: Path<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
 
     #[inline]

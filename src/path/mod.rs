@@ -11,21 +11,23 @@
 //! assert!((xyz[1] - 0.4 * EYE.sees(&sun)[1]).abs() < 1e-4);
 //! ```
 //!
-//! The stages are references: a path is as long as they are, and one pass over the bins evaluates it. What light
-//! carries, and what happens to it, are types, so an effect that is not written costs nothing. What an observer can look
-//! at is a [`Path`](crate::observer::Path):
+//! The stages are references, and nothing is computed until an observer looks: then one pass over the bins evaluates
+//! the whole path. What the light carries and what happens to it are types, so an effect that is not written costs
+//! nothing. What an observer can look at is a [`Stimulus`](crate::observer::Stimulus):
 //!
 //! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
-//!   it; a [`Dye`](crate::matter::Dye) or a [`Donaldson`](crate::matter::Donaldson) matrix makes it fluoresce.
-//! * [`Stokes`] light, from `polarized()` on, has four, which [`Mirror`](crate::matter::Mirror)s,
+//!   it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix or a
+//!   [`Phosphor`](crate::matter::Phosphor) moves it between bins. So does an [`Effect`](crate::matter::Effect) of your
+//!   own, which takes one function and goes into the path as `light.onto(Own::new(&ink))`.
+//! * [`Stokes`] light, from `polarized()` on, has four numbers for each bin, which [`Mirror`](crate::matter::Mirror)s,
 //!   [`Polarizer`](crate::matter::Polarizer)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
 //!   it plain again; so does `ignoring_polarization()`, for an eye or by choice.
 //! * In place of a grid [`RgbBands`](crate::color::RgbBands) are three bands: cheap, and off by what they say.
-//! * A [`Scene`] is a path chosen at run time: its parts are an enum, and it says what they cost and which of them
-//!   hardly show.
+//! * A [`Scene`] is a path that is put together at run time. It says what its parts cost and which of them hardly show.
 //!
-//! A path knows its price while compiling ([`Priced`]). One that stays folds into the eye, from the eye backwards, in
-//! `const fn`, fluorescence and polarization included:
+//! The price of a path is known while compiling ([`Priced`]). A path that stays the same folds into the eye in `const
+//! fn`, from the eye backwards, fluorescence and polarization included; then looking along it costs no more than
+//! looking at a lamp:
 //!
 //! ```
 //! use nanospectra::matter::{Dye, Mirror, Polarizer};
@@ -59,25 +61,21 @@
 //! assert!((folded - walked).abs() < 4e-7 * walked);
 //! ```
 //!
+//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Nonlinearity`](crate::sensor::Nonlinearity)), saturates or is
+//! noisy comes after the eye and is no part of a path: there linearity ends.
+//!
 //! # What does not compile
 //!
-//! The messages say what to write instead. A mirror, a polarizer or a retarder in light whose polarization is not
-//! followed:
+//! The compiler's messages say what to write instead; here it stands in the comments. Polarization:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, matter::Mirror};
 //! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarized().onto(lake)
 //! ```
-//!
-//! Polarized light before an eye, which reads its intensity:
-//!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, Observer, Power};
 //! fn seen(eye: &Observer<3, 31, Power>, sun: &Light<31>) { eye.sees(sun.polarized()); } // .ignoring_polarization()
 //! ```
-//!
-//! Polarized light through a dye, whose numbers do not say what becomes of the polarization:
-//!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, matter::Dye, matter::Polarizer};
 //! fn seen(sun: &Light<31>, sheet: &Polarizer<31>, wine: &Dye<31>) {
@@ -85,62 +83,46 @@
 //! }
 //! ```
 //!
-//! Fluorescent matter before an eye that has the light folded in, seen or folded in itself:
+//! Fluorescent matter without the light that excites it, or folded in after it:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Observer, matter::Dye};
 //! fn seen(eye: &Observer<3, 31>, vest: &Dye<31>) { eye.sees(vest); } // eye.looking_at_dye(vest).under(&lamp)
 //! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Reflectance, matter::Dye};
-//! fn seen(filter: &Reflectance<31>, vest: &Dye<31>) { let _ = filter.onto(vest); }
-//! ```
 //! ```compile_fail,E0599
 //! # use nanospectra::{Light, Observer, Power, matter::Dye};
 //! fn seen(eye: &Observer<3, 31, Power>, lamp: &Light<31>, vest: &Dye<31>) {
-//!     eye.under(lamp).looking_at_dye(vest);
+//!     eye.under(lamp).looking_at_dye(vest); // eye.looking_at_dye(vest).under(lamp)
 //! }
 //! ```
 //!
-//! Matter on another grid:
+//! Two grids in one path, light where matter should be, and in a [`Scene`] a spectrum that may be a filter or a surface:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Bins, Light, Reflectance};
 //! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) { let _ = sun.through(glass); } // resample()
 //! ```
-//!
-//! Light where matter should be, and a light applied twice:
-//!
 //! ```compile_fail,E0277
 //! # use nanospectra::Light;
-//! fn seen(sun: &Light<31>, lamp: &Light<31>) { let _ = sun.onto(lamp); }
+//! fn seen(sun: &Light<31>, lamp: &Light<31>) { let _ = sun.onto(lamp); } // a reflectance
 //! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Light, Observer, Reflectance};
-//! fn seen(eye: &Observer<3, 31>, sun: &Light<31>, paper: &Reflectance<31>) { eye.sees(sun.onto(paper)); }
-//! ```
-//!
-//! In a [`Scene`], a spectrum that does not say whether it is a filter or a surface:
-//!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Reflectance, path::Scene};
-//! fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) { let _ = scene.push(glass); }
+//! fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) { let _ = scene.push(glass); } // Part::Filter
 //! ```
-//!
-//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Nonlinearity`](crate::sensor::Nonlinearity)), saturates or is
-//! noisy comes after the eye and is no part of a path: there linearity ends.
 
-mod fluorescent;
+mod effect;
 mod fold;
 mod matter;
+mod on_its_way;
 mod plain;
 mod polarized;
 mod scene;
 
 pub use crate::price::{Effects, Price, Priced, price_of};
-pub use fluorescent::{Emitted, Excites, Glowing};
+pub use effect::{Affected, Excites, Glowing, Own};
 pub use fold::PolarizedObserver;
 pub use matter::{Filter, Surface};
 pub use plain::{Plain, Times};
-pub use polarized::{Dimmed, Intensity, Natural, Polarized, Stokes, StokesPath, Turned};
-pub use scene::{BillLine, Bispectral, Full, IntoPart, NeedsPolarization, Part, Scene, WithinBudget};
+pub use polarized::{Dimmed, IgnoringPolarization, Natural, Polarized, Stokes, StokesPath, Turned};
+pub use scene::{BillLine, IntoPart, Part, PolarizationError, Scene, SceneFullError, WithinBudget};

@@ -1,6 +1,7 @@
 //! Light with one number for each bin.
 
-use crate::observer::Path;
+use crate::observer::Stimulus;
+use crate::path::on_its_way::on_its_way;
 use crate::path::{Filter, Natural, Stokes, Surface};
 use crate::price::{Price, Priced};
 use crate::spectrum::{Factor, Power, Spectrum};
@@ -29,7 +30,7 @@ impl<L: Priced, const N: usize, G> Priced for Times<L, &Spectrum<Factor, N, G>> 
     const AGAIN: usize = L::AGAIN + N;
 }
 
-impl<Q, L: Path<Q, N, G>, const N: usize, G> Path<Q, N, G> for Times<L, &Spectrum<Factor, N, G>> {
+impl<Q, L: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Times<L, &Spectrum<Factor, N, G>> {
     #[inline]
     fn at(&self, k: usize) -> f32 {
         self.light.at(k) * self.factors.at(k)
@@ -44,76 +45,18 @@ impl<Q, L: Path<Q, N, G>, const N: usize, G> Path<Q, N, G> for Times<L, &Spectru
 pub struct Plain<Q, P>(P, PhantomData<Q>);
 
 impl<Q, P> Plain<Q, P> {
-    /// Light by way of `path`: to begin with something other than a spectrum.
-    #[must_use]
-    #[inline]
-    pub const fn new(path: P) -> Self {
-        Plain(path, PhantomData)
-    }
-
-    /// The path by itself: for those who write a [`Surface`] or a [`Filter`].
-    #[must_use]
-    #[inline]
-    pub fn into_inner(self) -> P {
-        self.0
-    }
-
-    /// This light behind a filter.
-    #[must_use]
-    #[inline]
-    pub fn through<F: Filter<Self>>(self, filter: F) -> F::Leaving {
-        filter.transmit(self)
-    }
-
-    /// What a surface sends back of this light.
-    #[must_use]
-    #[inline]
-    pub fn onto<S: Surface<Self>>(self, surface: S) -> S::Leaving {
-        surface.reflect(self)
-    }
-
     /// All bins worked out, to be read more than once.
     #[must_use]
     #[inline]
     pub fn collected<const N: usize, G>(&self) -> Spectrum<Q, N, G>
     where
-        P: Path<Q, N, G>,
+        P: Stimulus<Q, N, G>,
     {
-        self.0.read(|bins| Spectrum::unchecked(*bins))
-    }
-
-    /// What evaluating this path once costs.
-    #[must_use]
-    pub const fn price(&self) -> Price
-    where
-        P: Priced,
-    {
-        P::PRICE
-    }
-
-    /// This path, if it takes at most `MULTIPLY_ADDS` multiplications; a longer one does not compile (it is
-    /// `cargo build` that says so, and `cargo check` does not).
-    ///
-    /// ```
-    /// # use nanospectra::{Light, Reflectance};
-    /// # let (sun, paper) = (Light::<31>::flat(1.0), Reflectance::flat(0.8));
-    /// let path = sun.onto(&paper).within::<31>();
-    /// ```
-    /// ```compile_fail,E0080
-    /// # use nanospectra::{Light, Reflectance};
-    /// # let (sun, paper) = (Light::<31>::flat(1.0), Reflectance::flat(0.8));
-    /// let path = sun.onto(&paper).within::<30>();
-    /// ```
-    #[must_use]
-    #[inline]
-    pub fn within<const MULTIPLY_ADDS: usize>(self) -> Self
-    where
-        P: Priced,
-    {
-        const { assert!(P::PRICE.multiply_adds <= MULTIPLY_ADDS, "this path takes more multiply-adds than it may") }
-        self
+        self.0.read(|light| *light)
     }
 }
+
+on_its_way! { [Q, P] Plain<Q, P>, |path| Plain(path, PhantomData) }
 
 impl<P> Plain<Power, P> {
     /// The same light, followed as Stokes vectors from here on: so far it is unpolarized.
@@ -124,19 +67,14 @@ impl<P> Plain<Power, P> {
     }
 }
 
-impl<Q, P: Priced> Priced for Plain<Q, P> {
-    const PRICE: Price = P::PRICE;
-    const AGAIN: usize = P::AGAIN;
-}
-
-impl<Q, P: Path<Q, N, G>, const N: usize, G> Path<Q, N, G> for Plain<Q, P> {
+impl<Q, P: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Plain<Q, P> {
     #[inline]
     fn at(&self, k: usize) -> f32 {
         self.0.at(k)
     }
 
     #[inline]
-    fn read<R>(&self, reader: impl FnOnce(&[f32; N]) -> R) -> R {
+    fn read<R>(&self, reader: impl FnOnce(&Spectrum<Q, N, G>) -> R) -> R {
         self.0.read(reader)
     }
 }

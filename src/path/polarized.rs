@@ -1,8 +1,9 @@
 //! Light as Stokes vectors.
 
 use crate::matter::{Mirror, Mueller, Polarizer, Retarder};
-use crate::observer::Path;
-use crate::path::{Effects, Filter, Plain, Price, Priced, Surface, Times};
+use crate::observer::Stimulus;
+use crate::path::on_its_way::on_its_way;
+use crate::path::{Effects, Filter, IntoPart, Part, Plain, Price, Priced, Surface, Times};
 use crate::spectrum::{Factor, Power, Spectrum};
 
 /// A path of Stokes vectors, in `N` bins of the grid `G`.
@@ -11,8 +12,8 @@ use crate::spectrum::{Factor, Power, Spectrum};
     note = "all stages lie on one grid"
 )]
 pub trait StokesPath<const N: usize, G> {
-    /// The multiplications that one element after it takes.
-    const TURNED: usize = Mueller::<N, G>::PRICE.multiply_adds;
+    /// What one element after it costs.
+    const TURNED: Price = Mueller::<N, G>::PRICE;
 
     /// I, Q, U and V of bin `k`; NaN beyond the last.
     fn stokes_at(&self, k: usize) -> [f32; 4];
@@ -63,40 +64,12 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
 pub struct Stokes<P>(P);
 
 impl<P> Stokes<P> {
-    /// Light by way of `path`: to begin with something other than unpolarized light.
-    #[must_use]
-    #[inline]
-    pub const fn new(path: P) -> Self {
-        Stokes(path)
-    }
-
-    /// The path by itself: for those who write a [`Surface`] or a [`Filter`].
-    #[must_use]
-    #[inline]
-    pub fn into_inner(self) -> P {
-        self.0
-    }
-
-    /// This light behind a filter. Colored glass dims I, Q, U and V alike.
-    #[must_use]
-    #[inline]
-    pub fn through<F: Filter<Self>>(self, filter: F) -> F::Leaving {
-        filter.transmit(self)
-    }
-
-    /// What a surface sends back of this light: Stokes light off a mirror, plain light off a matt surface.
-    #[must_use]
-    #[inline]
-    pub fn onto<S: Surface<Self>>(self, surface: S) -> S::Leaving {
-        surface.reflect(self)
-    }
-
     /// The intensity alone: what an eye or a sensor reads, and the point from which polarization costs nothing any
     /// more. What comes after it treats the light as unpolarized.
     #[must_use]
     #[inline]
-    pub fn ignoring_polarization(self) -> Plain<Power, Intensity<P>> {
-        Plain::new(Intensity(self.0))
+    pub fn ignoring_polarization(self) -> Plain<Power, IgnoringPolarization<P>> {
+        Plain::new(IgnoringPolarization(self.0))
     }
 
     /// I, Q, U and V of bin `k`; NaN beyond the last.
@@ -108,44 +81,9 @@ impl<P> Stokes<P> {
     {
         self.0.stokes_at(k)
     }
-
-    /// What evaluating this path once costs.
-    #[must_use]
-    pub const fn price(&self) -> Price
-    where
-        P: Priced,
-    {
-        P::PRICE
-    }
-
-    /// This path, if it takes at most `MULTIPLY_ADDS` multiplications; a longer one does not compile (it is
-    /// `cargo build` that says so).
-    ///
-    /// ```
-    /// # use nanospectra::{Light, matter::Polarizer};
-    /// # let (sun, sheet) = (Light::<31>::flat(1.0), Polarizer::ideal(0.0));
-    /// let path = sun.polarized().through(&sheet).within::<{ 4 * 31 }>();
-    /// ```
-    /// ```compile_fail,E0080
-    /// # use nanospectra::{Light, matter::Polarizer};
-    /// # let (sun, sheet) = (Light::<31>::flat(1.0), Polarizer::ideal(0.0));
-    /// let path = sun.polarized().through(&sheet).within::<{ 4 * 31 - 1 }>();
-    /// ```
-    #[must_use]
-    #[inline]
-    pub fn within<const MULTIPLY_ADDS: usize>(self) -> Self
-    where
-        P: Priced,
-    {
-        const { assert!(P::PRICE.multiply_adds <= MULTIPLY_ADDS, "this path takes more multiply-adds than it may") }
-        self
-    }
 }
 
-impl<P: Priced> Priced for Stokes<P> {
-    const PRICE: Price = P::PRICE;
-    const AGAIN: usize = P::AGAIN;
-}
+on_its_way! { [P] Stokes<P>, |path| Stokes(path) }
 
 /// Unpolarized light as Stokes vectors: I, 0, 0, 0.
 #[derive(Clone, Copy, Debug)]
@@ -163,8 +101,8 @@ impl<P: Priced> Priced for Natural<P> {
     const AGAIN: usize = P::AGAIN;
 }
 
-impl<P: Path<Power, N, G>, const N: usize, G> StokesPath<N, G> for Natural<P> {
-    const TURNED: usize = Mueller::<N, G>::NATURAL;
+impl<P: Stimulus<Power, N, G>, const N: usize, G> StokesPath<N, G> for Natural<P> {
+    const TURNED: Price = Mueller::<N, G>::PRICE_OF_NATURAL;
 
     #[inline]
     fn stokes_at(&self, k: usize) -> [f32; 4] {
@@ -209,7 +147,7 @@ impl<'m, P: StokesPath<N, G>, const N: usize, G> Filter<Stokes<P>> for &'m Spect
 
 /// A matt surface: what it scatters back has forgotten how it was polarized.
 impl<'m, P: StokesPath<N, G>, const N: usize, G> Surface<Stokes<P>> for &'m Spectrum<Factor, N, G> {
-    type Leaving = Plain<Power, Times<Intensity<P>, &'m Spectrum<Factor, N, G>>>;
+    type Leaving = Plain<Power, Times<IgnoringPolarization<P>, &'m Spectrum<Factor, N, G>>>;
 
     #[inline]
     fn reflect(self, light: Stokes<P>) -> Self::Leaving {
@@ -225,8 +163,8 @@ pub struct Turned<L, M> {
 }
 
 impl<L: StokesPath<N, G> + Priced, const N: usize, G> Priced for Turned<L, &Mueller<N, G>> {
-    const PRICE: Price = L::PRICE.plus(Price { multiply_adds: L::TURNED, ..Mueller::<N, G>::PRICE });
-    const AGAIN: usize = L::AGAIN + L::TURNED;
+    const PRICE: Price = L::PRICE.plus(L::TURNED);
+    const AGAIN: usize = L::AGAIN + L::TURNED.multiply_adds;
 }
 
 impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Turned<L, &Mueller<N, G>> {
@@ -236,43 +174,42 @@ impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Turned<L, &Mue
     }
 }
 
-impl<'m, L: Polarized<N, G>, const N: usize, G> Surface<L> for &'m Mirror<N, G> {
-    type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
+/// What can be done with an element of a Mueller matrix: light falls on it or goes through it, and a scene holds it.
+macro_rules! elements {
+    ($($element:ident, $name:literal: $kind:ident by $function:ident;)*) => {$(
+        impl<'m, L: Polarized<N, G>, const N: usize, G> $kind<L> for &'m $element<N, G> {
+            type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
 
-    #[inline]
-    fn reflect(self, light: L) -> Self::Leaving {
-        Stokes(Turned { light: light.into_stokes(), element: self.mueller() })
-    }
+            #[inline]
+            fn $function(self, light: L) -> Self::Leaving {
+                Stokes(Turned { light: light.into_stokes(), element: self.mueller() })
+            }
+        }
+
+        impl<'m, const N: usize, G> IntoPart<'m, N, G> for &'m $element<N, G> {
+            fn into_part(self) -> Part<'m, N, G> {
+                Part::Polarizing { name: $name, mueller: self.mueller() }
+            }
+        }
+    )*};
 }
 
-impl<'m, L: Polarized<N, G>, const N: usize, G> Filter<L> for &'m Polarizer<N, G> {
-    type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
-
-    #[inline]
-    fn transmit(self, light: L) -> Self::Leaving {
-        Stokes(Turned { light: light.into_stokes(), element: self.mueller() })
-    }
+elements! {
+    Mirror, "mirror": Surface by reflect;
+    Polarizer, "polarizer": Filter by transmit;
+    Retarder, "retarder": Filter by transmit;
 }
 
-impl<'m, L: Polarized<N, G>, const N: usize, G> Filter<L> for &'m Retarder<N, G> {
-    type Leaving = Stokes<Turned<L::Light, &'m Mueller<N, G>>>;
-
-    #[inline]
-    fn transmit(self, light: L) -> Self::Leaving {
-        Stokes(Turned { light: light.into_stokes(), element: self.mueller() })
-    }
-}
-
-/// The intensity of Stokes light.
+/// The intensity of Stokes light `P`, its polarization ignored.
 #[derive(Clone, Copy, Debug)]
-pub struct Intensity<P>(P);
+pub struct IgnoringPolarization<P>(P);
 
-impl<P: Priced> Priced for Intensity<P> {
+impl<P: Priced> Priced for IgnoringPolarization<P> {
     const PRICE: Price = P::PRICE;
     const AGAIN: usize = P::AGAIN;
 }
 
-impl<P: StokesPath<N, G>, const N: usize, G> Path<Power, N, G> for Intensity<P> {
+impl<P: StokesPath<N, G>, const N: usize, G> Stimulus<Power, N, G> for IgnoringPolarization<P> {
     #[inline]
     fn at(&self, k: usize) -> f32 {
         let [intensity, ..] = self.0.stokes_at(k);

@@ -148,10 +148,10 @@ impl<V: Carried> Irradiance<V> {
     /// ```
     /// # use nanospectra::radiometry::Lux;
     /// // White paper in an office.
-    /// assert_eq!(format!("{:.0}", (Lux::from(500.0) * 0.9).sent_back().lambertian()), "143 cd/m2");
+    /// assert_eq!(format!("{:.0}", (Lux::from(500.0) * 0.9).as_exitance().lambertian()), "143 cd/m2");
     /// ```
     #[must_use]
-    pub fn sent_back(self) -> Exitance<V> {
+    pub fn as_exitance(self) -> Exitance<V> {
         Exitance::new(self.value())
     }
 }

@@ -6,7 +6,7 @@ use model::csv::golden;
 use model::film::{self, C};
 use nanospectra::color::Xyz;
 use nanospectra::light::D65;
-use nanospectra::matter::{Layer, Medium, Shares, Stack, ThinFilm, stack_bins};
+use nanospectra::matter::{Layer, Medium, PowerShares, Stack, ThinFilm, stack_bins};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Factor, Fine, Nodes, Reflectance, Spectrum};
 
@@ -47,7 +47,7 @@ fn stacks_agree_with_the_golden() {
         let [n0, nm, degrees] = row.numbers(["n0", "lambda_nm", "theta_deg"]);
         let stack = stack(row.text("layers_n"), row.text("layers_d_nm"), n0 as f32, row.text("substrate_n"));
         let [s, p] = stack.at(nm as f32, cosine(degrees));
-        let of = |shares: Shares| [shares.reflected, shares.transmitted, shares.absorbed].map(f64::from);
+        let of = |shares: PowerShares| [shares.reflected, shares.transmitted, shares.absorbed].map(f64::from);
         check.cells(row, ["Rs", "Ts", "As"], of(s));
         check.cells(row, ["Rp", "Tp", "Ap"], of(p));
         for (shares, [r, t]) in [s, p].into_iter().zip(exact(&stack, nm as f32, cosine(degrees))) {
@@ -86,11 +86,11 @@ fn the_colors_of_films_agree_with_the_golden() {
         let layer = Layer { medium: Medium { n: n1, k: 0.0 }, thickness_nm: d as f32 };
         let stack =
             Stack { incident: n0, layers: [layer], substrate: substrate.unwrap_or(Medium { n: n2, k: 0.0 }) };
-        let as_stack = Fine::at_centers(|nm| Shares::mean(stack.at(nm, cos)).reflected);
+        let as_stack = Fine::at_centers(|nm| PowerShares::mean(stack.at(nm, cos)).reflected);
         check.cells(row, ["X", "Y", "Z"], xyz(&as_stack).map(f64::from));
         rows += 1;
         if substrate.is_none() {
-            let as_film = Fine::at_centers(|nm| Shares::mean(film.at(nm, cos)).reflected);
+            let as_film = Fine::at_centers(|nm| PowerShares::mean(film.at(nm, cos)).reflected);
             check.cells(row, ["X", "Y", "Z"], xyz(&as_film).map(f64::from));
             rows += 1;
         }
@@ -206,7 +206,7 @@ fn stacks_are_averaged_over_bins_too() {
     }
     check.tight(62);
     // (n0 - n2 (H/L)^10) / (n0 + ..): the textbook's peak.
-    let peak = Shares::mean(mirror.at(550.0, 1.0)).reflected;
+    let peak = PowerShares::mean(mirror.at(550.0, 1.0)).reflected;
     let y = 1.52 * (2.4f64 / 1.38).powi(10);
     assert!((f64::from(peak) - ((1.0 - y) / (1.0 + y)).powi(2)).abs() < 2e-6, "{peak}");
 }
@@ -272,7 +272,8 @@ fn total_reflection_is_total_and_a_thin_gap_frustrates_it() {
 
 #[test]
 fn what_is_no_film_is_nan_and_the_edges_of_what_is_are_defined() {
-    let nan = |shares: [Shares; 2]| shares.iter().all(|s| s.reflected.is_nan() && s.transmitted.is_nan());
+    let nan =
+        |shares: [PowerShares; 2]| shares.iter().all(|s| s.reflected.is_nan() && s.transmitted.is_nan());
     let soap = [1.0, 1.33, 1.0];
     assert!(
         nan(ThinFilm::new(soap, -1.0).at(550.0, 1.0)) && nan(ThinFilm::new(soap, f32::NAN).at(550.0, 1.0))

@@ -3,7 +3,7 @@
 
 use nanospectra::math::Portable;
 use nanospectra::matter::{
-    Absorber, Burley, Dipole, Layer, Medium, SearchLight, Shares, Stack, ThinFilm, burley_distance,
+    Absorber, Burley, BurleyFit, Dipole, Layer, Medium, PowerShares, Stack, ThinFilm, burley_distance,
 };
 use nanospectra::{Factor, Nodes, Reflectance, Spectrum};
 use proptest::prelude::*;
@@ -29,8 +29,8 @@ fn layers() -> impl Strategy<Value = [Layer; 5]> {
 }
 
 /// All shares between 0 and 1, and nothing lost.
-fn whole(shares: Shares, tolerance: f32) -> Result<(), TestCaseError> {
-    let Shares { reflected, transmitted, absorbed } = shares;
+fn whole(shares: PowerShares, tolerance: f32) -> Result<(), TestCaseError> {
+    let PowerShares { reflected, transmitted, absorbed } = shares;
     for share in [reflected, transmitted, absorbed] {
         prop_assert!((0.0..=1.0).contains(&share), "{shares:?}");
     }
@@ -160,7 +160,7 @@ proptest! {
         one in prop::array::uniform4(0.0f32..1e18), other in prop::array::uniform4(0.0f32..1e3), eta in 1.0f32..3.0,
     ) {
         let (length, r) = (length.map(f32::abs), r.abs());
-        let skin = Burley::<4, Nodes<400, 700>>::from_mean_free_path(Reflectance::from_bins(albedo), length, SearchLight::Beam);
+        let skin = Burley::<4, Nodes<400, 700>>::from_mean_free_path(Reflectance::from_bins(albedo), length, BurleyFit::Beam);
         sound(&skin.within(r))?;
         sound(&skin.times_radius(r))?;
         for (inside, all) in skin.within(r).values().iter().zip(albedo) {

@@ -11,7 +11,7 @@ use model::interpolation::Outside as ModelOutside;
 use model::lab::lab;
 use model::tables::{Observer as Table, source};
 use nanospectra::light::D65;
-use nanospectra::matter::{Absorber, Shares, ThinFilm};
+use nanospectra::matter::{Absorber, PowerShares, ThinFilm};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Observer, Reflectance};
 
@@ -115,7 +115,7 @@ fn differences<const N: usize>([truth, white]: [[f64; 3]; 2], d: f32) -> [f64; 2
     let eye: Observer<3, N> = CIE_1931.under(&d65).fold(Curve::Spline).with_white_y(100.0);
     let film = ThinFilm::new([1.0f32, 1.33, 1.0], d);
     let averaged: Reflectance<N> = film.reflectance(1.0);
-    let points = Reflectance::<N>::at_centers(|nm| Shares::mean(film.at(nm, 1.0)).reflected);
+    let points = Reflectance::<N>::at_centers(|nm| PowerShares::mean(film.at(nm, 1.0)).reflected);
     [averaged, points].map(|reflectance| {
         let seen = eye.sees(&reflectance).map(f64::from);
         de2000(lab(truth, white), lab(seen, white))

@@ -5,7 +5,7 @@ use model::allowed::{Singles, check};
 use model::check::EPS;
 use model::fresnel::reflectances;
 use nanospectra::matter::{
-    Absorber, AbsorberError, Dielectric, Glass, N_BK7, Polarizer, Shares, Slab, internal_transmittance,
+    Absorber, AbsorberError, Dielectric, Glass, N_BK7, Polarizer, PowerShares, Slab, internal_transmittance,
 };
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, Spectrum};
@@ -67,7 +67,11 @@ fn all_beams_to_and_fro_are_counted() {
                 let window = slab([index], [per_m], 4e-3);
                 let place = format!("n {index}, {per_m} per m, cos {cos}");
                 let exact = model(index, per_m, 4e-3, cos);
-                let picks = [|s: Shares| s.reflected, |s: Shares| s.transmitted, |s: Shares| s.absorbed];
+                let picks = [
+                    |s: PowerShares| s.reflected,
+                    |s: PowerShares| s.transmitted,
+                    |s: PowerShares| s.absorbed,
+                ];
                 for (k, (pick, mean)) in picks.into_iter().zip(all(&window, cos)).enumerate() {
                     let check = if k == 2 { &mut kept } else { &mut shares };
                     for (got, exact) in window.components(cos, pick).iter().zip(&exact) {

@@ -6,7 +6,7 @@ use model::check::EPS;
 use model::csv::golden;
 use nanospectra::Reflectance;
 use nanospectra::matter::{
-    Absorber, AbsorberError, Burley, Dipole, SearchLight, air_refractivity, burley_distance,
+    Absorber, AbsorberError, Burley, BurleyFit, Dipole, air_refractivity, burley_distance,
     external_reflectance, internal_reflectance, internal_reflectance_fit, king_factor,
     rayleigh_cross_section, rayleigh_per_m, rayleigh_phase,
 };
@@ -199,9 +199,9 @@ fn burley_without_depth_is_lambert() {
 fn the_fits_of_christensen_and_burley_are_theirs() {
     // By hand, at an albedo of 0.8 and 0.3.
     for (by, at_08, at_03) in [
-        (SearchLight::Beam, 1.05, 1.55 + 7.0 * 0.125),
-        (SearchLight::Diffuse, 1.1, 1.6 + 3.5 * 0.25),
-        (SearchLight::DiffusePath, 3.5 + 100.0 * 0.47f32.powi(4), 3.5 + 100.0 * 0.03f32.powi(4)),
+        (BurleyFit::Beam, 1.05, 1.55 + 7.0 * 0.125),
+        (BurleyFit::Diffuse, 1.1, 1.6 + 3.5 * 0.25),
+        (BurleyFit::DiffusePath, 3.5 + 100.0 * 0.47f32.powi(4), 3.5 + 100.0 * 0.03f32.powi(4)),
     ] {
         assert!((by.scaling(0.8) - at_08).abs() < 1e-6, "{by:?}: {}", by.scaling(0.8));
         assert!((by.scaling(0.3) - at_03).abs() < 1e-6, "{by:?}: {}", by.scaling(0.3));

@@ -8,7 +8,7 @@ use nanospectra::color::{AcesCg, Rgb, RgbBands, RgbSpace, Srgb, Xyz};
 use nanospectra::light::{D65, FL1, FL2, FL3, FL4, FL5, FL6, FL7, FL8, FL9, FL10, FL11, FL12};
 use nanospectra::matter::{CES, Donaldson, Dye, Mirror, Phosphor, Polarizer, Retarder};
 use nanospectra::observer::CIE_1931;
-use nanospectra::observer::Path;
+use nanospectra::observer::Stimulus;
 use nanospectra::path::{Effects, Plain, Price, Priced, Times, price_of};
 use nanospectra::{
     Bins, Curve, Factor, Fine, FineObserver, Grid, Light, Observer, Power, Reflectance, Spectrum,

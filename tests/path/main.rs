@@ -3,4 +3,5 @@
 mod alias;
 mod chain;
 mod fuzz;
+mod own;
 mod scene;

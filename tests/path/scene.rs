@@ -9,7 +9,7 @@ use nanospectra::light::{self, FL11};
 use nanospectra::math::{Fast, Portable};
 use nanospectra::matter::{Donaldson, Dye, Mirror, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, CIE_1964};
-use nanospectra::path::{Effects, Full, NeedsPolarization, Part, Price, Scene, price_of};
+use nanospectra::path::{Effects, IntoPart, Part, PolarizationError, Price, Scene, SceneFullError, price_of};
 use nanospectra::{Bins, Curve, Interpolation, Light, Observer, Power, Reflectance};
 use proptest::prelude::*;
 
@@ -122,11 +122,11 @@ impl Pool {
         match kind % 7 {
             0 => Part::Filter(&self.glass),
             1 => Part::Surface(&self.paper),
-            2 => (&self.vest).into(),
-            3 => (&self.brightened).into(),
-            4 => (&self.lake).into(),
-            5 => (&self.sheet).into(),
-            _ => (&self.plate).into(),
+            2 => (&self.vest).into_part(),
+            3 => (&self.brightened).into_part(),
+            4 => (&self.lake).into_part(),
+            5 => (&self.sheet).into_part(),
+            _ => (&self.plate).into_part(),
         }
     }
 
@@ -196,7 +196,7 @@ fn a_scene_is_the_typed_path_to_the_bit() {
 fn a_part_left_out_is_what_remains_of_it_without_its_effect() {
     let (pool, sun) = (Pool::new(), lamp::<31>("LED-B3"));
     let Pool { glass, paper, vest, brightened, lake, sheet, .. } = &pool;
-    let diagonal = Part::from(brightened).without_effect();
+    let diagonal = brightened.into_part().without_effect();
     assert_eq!(diagonal, Reflectance::flat(0.5));
     let dull = sun.onto(&vest.reflectance()).onto(&diagonal).collected();
     let scene: Scene<31, 6> = pool.scene(&[2, 3]);
@@ -208,7 +208,7 @@ fn a_part_left_out_is_what_remains_of_it_without_its_effect() {
     assert_eq!(scene.leaving_out(1).leaving_polarized(&sun), through.ignoring_polarization().collected());
     // Without any effect it is plain, and what has none cannot lose it.
     let scene: Scene<31, 6> = pool.scene(&[0, 4, 1, 5]);
-    assert_eq!(scene.leaving(&sun), Err(NeedsPolarization { part: 1 }));
+    assert_eq!(scene.leaving(&sun), Err(PolarizationError { part: 1 }));
     let plain = scene.leaving_out(0).leaving_out(1).leaving_out(3).leaving_out(17);
     assert!(plain.effects().is_empty() && plain.left_out().eq([1, 3]));
     let gray = Reflectance::flat(0.425);
@@ -223,9 +223,9 @@ fn a_part_left_out_is_what_remains_of_it_without_its_effect() {
 fn what_polarizes_is_refused_and_carried_on_request() {
     let (pool, sun) = (Pool::new(), lamp::<31>("D65"));
     let scene: Scene<31, 6> = pool.scene(&[0, 2, 4, 5]);
-    assert_eq!(scene.fold(&EYE), Err(NeedsPolarization { part: 2 }));
-    assert_eq!(scene.leaving(&sun), Err(NeedsPolarization { part: 2 }));
-    let said = NeedsPolarization { part: 2 }.to_string();
+    assert_eq!(scene.fold(&EYE), Err(PolarizationError { part: 2 }));
+    assert_eq!(scene.leaving(&sun), Err(PolarizationError { part: 2 }));
+    let said = PolarizationError { part: 2 }.to_string();
     assert!(said.contains("part 2") && said.contains("fold_polarized"), "{said}");
     let Pool { glass, vest, lake, sheet, .. } = &pool;
     let typed = EYE
@@ -248,10 +248,10 @@ fn what_polarizes_is_refused_and_carried_on_request() {
 fn a_full_scene_takes_no_more() {
     let pool = Pool::new();
     let mut scene: Scene<31, 2> = pool.scene(&[0, 1]);
-    assert_eq!(scene.push(&pool.vest), Err(Full { capacity: 2 }));
+    assert_eq!(scene.push(&pool.vest), Err(SceneFullError { capacity: 2 }));
     assert!(scene.parts().map(Part::name).eq(["filter", "surface"]));
-    assert_eq!(Scene::<31, 0>::new().push(Part::Filter(&pool.glass)), Err(Full { capacity: 0 }));
-    assert_eq!(Full { capacity: 2 }.to_string(), "the scene has room for 2 parts");
+    assert_eq!(Scene::<31, 0>::new().push(Part::Filter(&pool.glass)), Err(SceneFullError { capacity: 0 }));
+    assert_eq!(SceneFullError { capacity: 2 }.to_string(), "the scene has room for 2 parts");
 }
 
 #[test]

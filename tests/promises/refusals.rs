@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 36] = [
+const REFUSED: [(&str, &str, &[&str]); 38] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -29,7 +29,7 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
             println!(\"{:?}\", eye.sees(&Light::<36, Nodes<380, 730>>::flat(1.0)));
         }",
         &[
-            "is no path of `Power` in 36 bins of `Bins<380, 730>`",
+            "is no stimulus of `Power` in 36 bins of `Bins<380, 730>`",
             "Nodes<380, 730>",
             "all stages lie on one grid",
         ],
@@ -41,7 +41,10 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
             let eye: Observer<3, 16> = CIE_1931.under(&L41).fold(Curve::Spline);
             println!(\"{:?}\", eye.sees(&Light::<16>::flat(1.0)));
         }",
-        &["is no path of `Factor` in 16 bins", "an eye that has a light folded in (`under`) reads `Factor`"],
+        &[
+            "is no stimulus of `Factor` in 16 bins",
+            "an eye that has a light folded in (`under`) reads `Factor`",
+        ],
     ),
     (
         "lights_an_eye_twice",
@@ -59,7 +62,7 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
         "shows_counts_of_bins_to_an_eye",
         "use nanospectra::{Fine, PerBin, observer::CIE_1931};
         fn main() { println!(\"{:?}\", CIE_1931.sees(&Fine::<PerBin>::flat(1.0))); }",
-        &["is no path of `Power` in 471 bins", "PerBin"],
+        &["is no stimulus of `Power` in 471 bins", "PerBin"],
     ),
     (
         "resamples_counts_of_bins",
@@ -146,14 +149,14 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
             let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
             println!(\"{:?}\", eye.sees(Light::<31>::flat(1.0).polarized()));
         }",
-        &["is no path of `Power` in 31 bins", "by `.ignoring_polarization()`"],
+        &["is no stimulus of `Power` in 31 bins", "by `.ignoring_polarization()`"],
     ),
     (
         "sees_a_vest_without_light",
         "use nanospectra::{Curve, Observer, light::L41, matter::Dye, observer::CIE_1931};
         fn main() { see(CIE_1931.under(&L41).fold(Curve::Step), todo!()) }
         fn see(eye: Observer<3, 31>, vest: Dye<31>) { println!(\"{:?}\", eye.sees(&vest)); }",
-        &["is no path of `Factor` in 31 bins", "`eye.looking_at_dye(&dye).under(&lamp)`"],
+        &["is no stimulus of `Factor` in 31 bins", "`eye.looking_at_dye(&dye).under(&lamp)`"],
     ),
     (
         "makes_a_vest_glow_by_a_factor",
@@ -174,20 +177,43 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
         &["method `looking_at_dye` is available on `&Observer<3, 31, Power>`"],
     ),
     (
+        "folds_an_afterglow",
+        "use nanospectra::{Observer, Power, matter::Phosphor, path::Scene};
+        fn main() {}
+        pub fn fold(eye: Observer<3, 31, Power>, paint: Phosphor<31>) {
+            println!(\"{:?}\", eye.looking_at_matter(&paint));
+            println!(\"{:?}\", Scene::<31, 1>::new().push(&paint));
+        }",
+        &[
+            "does not fold into an eye of 31 bins of `Bins<380, 730>`",
+            "if twice the light makes twice as much leave",
+        ],
+    ),
+    (
+        "puts_an_effect_into_the_path_bare",
+        "use nanospectra::{Light, matter::Effect};
+        struct Ink;
+        impl Effect<31> for Ink {
+            fn leaving(&self, light: &Light<31>) -> Light<31> { *light }
+        }
+        fn main() { println!(\"{:?}\", Light::<31>::flat(1.0).onto(&Ink).collected()); }",
+        &["is no surface that", "on an effect of your own in `Own::new(&ink)`"],
+    ),
+    (
         "puts_a_filter_of_another_grid_into_the_path",
         "use nanospectra::{Bins, Light, Reflectance};
         fn main() {
             let glass = Reflectance::<16, Bins<400, 700>>::flat(0.5);
             println!(\"{:?}\", Light::<16>::flat(1.0).through(&glass).price());
         }",
-        &["is no path of `Power` in 16 bins of `Bins<400, 700>`", "all stages lie on one grid"],
+        &["is no stimulus of `Power` in 16 bins of `Bins<400, 700>`", "all stages lie on one grid"],
     ),
     (
         "puts_a_dye_of_another_size_into_the_path",
         "use nanospectra::{Light, matter::Dye};
         fn main() {}
         pub fn glow(sun: Light<16>, vest: Dye<31>) { println!(\"{:?}\", sun.onto(&vest).price()); }",
-        &["is no path of `Power` in 31 bins"],
+        &["is no stimulus of `Power` in 31 bins"],
     ),
     (
         "shines_light_onto_light",
@@ -208,7 +234,10 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
         pub fn see(eye: Observer<3, 31>, sun: Light<31>, paper: Reflectance<31>) {
             println!(\"{:?}\", eye.sees(sun.onto(&paper)));
         }",
-        &["is no path of `Factor` in 31 bins", "an eye that has a light folded in (`under`) reads `Factor`"],
+        &[
+            "is no stimulus of `Factor` in 31 bins",
+            "an eye that has a light folded in (`under`) reads `Factor`",
+        ],
     ),
     (
         "samples_an_rgb",
@@ -270,7 +299,7 @@ const REFUSED: [(&str, &str, &[&str]); 36] = [
         pub fn shine(sun: Light<3>, red: Reflectance<3, RgbBands<Srgb>>) {
             println!(\"{:?}\", sun.onto(&red).price());
         }",
-        &["is no path of `Power` in 3 bins of `RgbBands<"],
+        &["is no stimulus of `Power` in 3 bins of `RgbBands<"],
     ),
     (
         "takes_longer_than_it_may",

@@ -5,9 +5,11 @@ use crate::display::displayed;
 use crate::fixed::Fixed;
 use nanospectra::color::{Lab, Xy, Xyz};
 use nanospectra::math::Portable;
-use nanospectra::matter::{Absorber, Dye, FluorescenceError, Mirror, Polarizer, Retarder, Shares, ThinFilm};
+use nanospectra::matter::{
+    Absorber, Dye, FluorescenceError, Mirror, Polarizer, PowerShares, Retarder, ThinFilm,
+};
 use nanospectra::observer::{CIE_1931, CIE_1964};
-use nanospectra::path::{Part, Price, Scene};
+use nanospectra::path::{IntoPart, Part, Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
 use nanospectra::{Curve, Light, Nodes, Observer, Outside, Power, Reflectance, Spectrum};
 
@@ -50,10 +52,10 @@ impl What {
             What::Nothing => Part::Filter(&CLEAR),
             What::Plain { factors, matt: true } => Part::Surface(factors),
             What::Plain { factors, matt: false } => Part::Filter(factors),
-            What::Dye(dye) => dye.into(),
-            What::Mirror(mirror) => mirror.into(),
-            What::Polarizer(polarizer) => polarizer.into(),
-            What::Retarder(retarder) => retarder.into(),
+            What::Dye(dye) => dye.into_part(),
+            What::Mirror(mirror) => mirror.into_part(),
+            What::Polarizer(polarizer) => polarizer.into_part(),
+            What::Retarder(retarder) => retarder.into_part(),
         }
     }
 }
@@ -152,7 +154,7 @@ extern "C" fn film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmit
         for (k, share) in shares.iter_mut().enumerate() {
             let edge_nm = Reflectance::<N, Grid>::edge_nm;
             let (low_nm, high_nm) = (edge_nm(k), edge_nm(k + 1));
-            let mean = Shares::mean(film.between_with::<Portable>(low_nm, high_nm, cos));
+            let mean = PowerShares::mean(film.between_with::<Portable>(low_nm, high_nm, cos));
             *share = if transmitted == 0 { mean.reflected } else { mean.transmitted };
         }
         Spectrum::from_bins(shares)

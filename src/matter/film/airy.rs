@@ -7,7 +7,7 @@
 //! All terms are positive, and the differences come from those of the indices.
 
 use crate::math::{Double, Math, sqrt};
-use crate::matter::Shares;
+use crate::matter::PowerShares;
 
 /// The three media as light of one direction and wavelength meets them: n cos(theta) in each.
 pub(super) struct Tilted {
@@ -122,34 +122,34 @@ pub(super) struct Faces {
 
 impl Faces {
     /// What one wavelength does; `crossing` as [`Tilted::crossing`] has it.
-    pub(super) fn coherent(&self, fades: bool, [ratio, cos2]: [f32; 2]) -> Shares {
+    pub(super) fn coherent(&self, fades: bool, [ratio, cos2]: [f32; 2]) -> PowerShares {
         let &Faces { first, film, last, down, up, over, per_index } = self;
         let sum = first + last;
         if sum == 0.0 {
             // Grazing, with the same medium on both sides: a mirror, or nothing at all.
-            return if down == 0.0 || ratio == 0.0 { Shares::NOTHING } else { Shares::MIRROR };
+            return if down == 0.0 || ratio == 0.0 { PowerShares::NOTHING } else { PowerShares::MIRROR };
         }
         let ratio = ratio * per_index;
         if ratio > 1e12 {
-            return Shares::MIRROR;
+            return PowerShares::MIRROR;
         }
         let square = |x: f32| x * x;
         let film2 = if fades { -film * film } else { film * film };
         let back = square(over / sum) * cos2 + square((first * up + last * down) / sum * ratio);
         let all = square(sum) * cos2 + square((first * last + film2) * ratio);
-        Shares { reflected: back / all, transmitted: 4.0 * first * last / all, absorbed: 0.0 }.held()
+        PowerShares { reflected: back / all, transmitted: 4.0 * first * last / all, absorbed: 0.0 }.held()
     }
 
     /// The beams of many phases: no interference left.
-    pub(super) fn incoherent(&self) -> Shares {
+    pub(super) fn incoherent(&self) -> PowerShares {
         let &Faces { first, film, last, down, up, .. } = self;
         let sum = first + last;
         if sum == 0.0 {
-            return if down == 0.0 { Shares::NOTHING } else { Shares::MIRROR };
+            return if down == 0.0 { PowerShares::NOTHING } else { PowerShares::MIRROR };
         }
         let all = sum * (first * last + film * film);
         let (there, behind) = (down / (first + film), up / (last + film));
-        Shares {
+        PowerShares {
             reflected: (first * behind * behind + last * there * there) / all,
             transmitted: 4.0 * first * film * last / all,
             absorbed: 0.0,
@@ -167,7 +167,7 @@ impl Faces {
     }
 
     /// The mean over the wavelengths between two edges that are many fringes apart.
-    pub(super) fn averaged<M: Math>(&self, edges: &[Edge; 2], width_nm: f32) -> Shares {
+    pub(super) fn averaged<M: Math>(&self, edges: &[Edge; 2], width_nm: f32) -> PowerShares {
         use core::f32::consts::PI;
         let [q, _] = self.round_trip();
         let up_to = |edge: &Edge| {
@@ -178,7 +178,7 @@ impl Faces {
         // T over its mean is 1 + 2 sum(q^m cos(m delta)): what is beyond 1.
         let fringes = (up_to(low) - up_to(high)) / width_nm;
         let mean = self.incoherent();
-        Shares {
+        PowerShares {
             reflected: mean.reflected - mean.transmitted * fringes,
             transmitted: mean.transmitted + mean.transmitted * fringes,
             absorbed: 0.0,

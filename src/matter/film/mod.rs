@@ -8,5 +8,5 @@ mod thin_film;
 #[cfg(feature = "libm")]
 pub use multilayer::stack_bins;
 pub use multilayer::{Layer, Medium, Stack, stack_bins_with};
-pub use shares::Shares;
+pub use shares::PowerShares;
 pub use thin_film::{FilmIndices, ThinFilm};

@@ -5,7 +5,7 @@ use crate::math::Complex;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Double, Math};
-use crate::matter::Shares;
+use crate::matter::PowerShares;
 use crate::matter::film::shares::bins;
 use crate::matter::film::thin_film::held;
 use crate::spectrum::{Factor, Spectrum};
@@ -37,11 +37,11 @@ pub struct Layer {
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
-/// use nanospectra::matter::{Layer, Medium, Shares, Stack};
+/// use nanospectra::matter::{Layer, Medium, PowerShares, Stack};
 /// // A quarter of a wave of SiO2 on silicon, for red light: nearly none of it comes back.
 /// let oxide = Layer { medium: Medium { n: 1.457, k: 0.0 }, thickness_nm: 109.0 };
 /// let wafer = Stack { incident: 1.0, layers: [oxide], substrate: Medium { n: 3.88, k: 0.02 } };
-/// let shares = Shares::mean(wafer.at(633.0, 1.0));
+/// let shares = PowerShares::mean(wafer.at(633.0, 1.0));
 /// assert!(shares.reflected < 0.09 && shares.transmitted > 0.9);
 /// # }
 /// ```
@@ -85,20 +85,20 @@ impl<const L: usize> Stack<L> {
     /// The characteristic matrix: Born and Wolf, Principles of Optics, 1.6.
     #[cfg(feature = "libm")]
     #[must_use]
-    pub fn at(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+    pub fn at(&self, nm: f32, cos_theta: f32) -> [PowerShares; 2] {
         self.at_with::<Portable>(nm, cos_theta)
     }
 
     /// [`at`](Self::at) on another math backend.
     #[must_use]
-    pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+    pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [PowerShares; 2] {
         let media = Medium { n: self.incident, k: 0.0 }.is_some() && self.substrate.is_some();
         let layers = self
             .layers
             .iter()
             .all(|layer| layer.medium.is_some() && (0.0..=1e12).contains(&layer.thickness_nm));
         if !(media && layers && (1.0..=1e9).contains(&nm)) || cos_theta.is_nan() {
-            return [Shares::NAN; 2];
+            return [PowerShares::NAN; 2];
         }
         let cos = held(cos_theta);
         let first = self.incident * cos;
@@ -146,12 +146,12 @@ impl Wave {
     }
 
     /// What comes of light from a medium of this admittance; `clear` layers absorb nothing.
-    fn shares(&self, first: f32, clear: bool) -> Shares {
+    fn shares(&self, first: f32, clear: bool) -> PowerShares {
         let [one, other] = self.fields;
         let all = (one.times(first) + other).power();
         if all == 0.0 {
             // Grazing along a face that is none.
-            return Shares::NOTHING;
+            return PowerShares::NOTHING;
         }
         let entering = 4.0 * first * (one.re * other.re + one.im * other.im) / all;
         let transmitted = 4.0 * first * self.arriving / all;
@@ -159,7 +159,7 @@ impl Wave {
         // A sharp resonance magnifies the rounding of what arrives: up to 1 % of it, and no light comes from nowhere.
         let both = reflected + transmitted;
         let (whole, absorbed) = if clear { (both, 0.0) } else { (both.max(1.0), entering - transmitted) };
-        Shares { reflected: reflected / whole, transmitted: transmitted / whole, absorbed }.held()
+        PowerShares { reflected: reflected / whole, transmitted: transmitted / whole, absorbed }.held()
     }
 }
 
@@ -225,7 +225,7 @@ pub fn stack_bins<const L: usize, const N: usize, G: Grid>(
     stack: impl Fn(f32) -> Stack<L>,
     cos_theta: f32,
     panels: u16,
-    share: impl Fn(Shares) -> f32,
+    share: impl Fn(PowerShares) -> f32,
 ) -> [Spectrum<Factor, N, G>; 2] {
     stack_bins_with::<Portable, L, N, G>(stack, cos_theta, panels, share)
 }
@@ -236,10 +236,10 @@ pub fn stack_bins_with<M: Math, const L: usize, const N: usize, G: Grid>(
     stack: impl Fn(f32) -> Stack<L>,
     cos_theta: f32,
     panels: u16,
-    share: impl Fn(Shares) -> f32,
+    share: impl Fn(PowerShares) -> f32,
 ) -> [Spectrum<Factor, N, G>; 2] {
     bins(|low_nm, high_nm| {
         let panels = u32::from(panels.max(1));
-        Shares::averaged(low_nm, high_nm, panels, |nm| stack(nm).at_with::<M>(nm, cos_theta)).map(&share)
+        PowerShares::averaged(low_nm, high_nm, panels, |nm| stack(nm).at_with::<M>(nm, cos_theta)).map(&share)
     })
 }

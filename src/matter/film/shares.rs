@@ -9,7 +9,7 @@ static GAUSS: [(f32, f32); 3] = nodes_and_weights();
 /// What becomes of light that meets a film, as shares of its power: they sum to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Shares {
+pub struct PowerShares {
     /// Reflectance, 0..=1.
     pub reflected: f32,
     /// Transmittance into the last medium, 0..=1; power, so the ratio of indices and cosines is in it.
@@ -18,13 +18,14 @@ pub struct Shares {
     pub absorbed: f32,
 }
 
-impl Shares {
+impl PowerShares {
     /// All is reflected.
-    pub(super) const MIRROR: Self = Shares { reflected: 1.0, transmitted: 0.0, absorbed: 0.0 };
+    pub(super) const MIRROR: Self = PowerShares { reflected: 1.0, transmitted: 0.0, absorbed: 0.0 };
     /// All goes on: there is nothing in the way.
-    pub(super) const NOTHING: Self = Shares { reflected: 0.0, transmitted: 1.0, absorbed: 0.0 };
+    pub(super) const NOTHING: Self = PowerShares { reflected: 0.0, transmitted: 1.0, absorbed: 0.0 };
     /// Of what is no film.
-    pub(super) const NAN: Self = Shares { reflected: f32::NAN, transmitted: f32::NAN, absorbed: f32::NAN };
+    pub(super) const NAN: Self =
+        PowerShares { reflected: f32::NAN, transmitted: f32::NAN, absorbed: f32::NAN };
 
     /// The mean of both polarizations: unpolarized light.
     #[must_use]
@@ -34,13 +35,13 @@ impl Shares {
 
     /// Rounding may have gone beyond what a share can be.
     pub(super) fn held(self) -> Self {
-        let Shares { reflected, transmitted, absorbed } = self;
+        let PowerShares { reflected, transmitted, absorbed } = self;
         let held = |share: f32| share.clamp(0.0, 1.0);
-        Shares { reflected: held(reflected), transmitted: held(transmitted), absorbed: held(absorbed) }
+        PowerShares { reflected: held(reflected), transmitted: held(transmitted), absorbed: held(absorbed) }
     }
 
     pub(super) fn plus(self, other: Self) -> Self {
-        Shares {
+        PowerShares {
             reflected: self.reflected + other.reflected,
             transmitted: self.transmitted + other.transmitted,
             absorbed: self.absorbed + other.absorbed,
@@ -48,7 +49,7 @@ impl Shares {
     }
 
     pub(super) fn times(self, k: f32) -> Self {
-        Shares {
+        PowerShares {
             reflected: self.reflected * k,
             transmitted: self.transmitted * k,
             absorbed: self.absorbed * k,
@@ -62,7 +63,7 @@ impl Shares {
         panels: u32,
         mut at: impl FnMut(f32) -> [Self; 2],
     ) -> [Self; 2] {
-        const ZERO: Shares = Shares { reflected: 0.0, transmitted: 0.0, absorbed: 0.0 };
+        const ZERO: PowerShares = PowerShares { reflected: 0.0, transmitted: 0.0, absorbed: 0.0 };
         let width = (high_nm - low_nm) / panels as f32;
         let [mut s, mut p] = [ZERO; 2];
         for panel in 0..panels {

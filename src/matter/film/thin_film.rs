@@ -4,7 +4,7 @@ use crate::grid::Grid;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Double, Math};
-use crate::matter::Shares;
+use crate::matter::PowerShares;
 use crate::matter::film::airy::{Edge, Tilted};
 use crate::matter::film::shares::bins;
 use crate::spectrum::{Factor, Spectrum};
@@ -75,15 +75,15 @@ impl<I: FilmIndices> ThinFilm<I> {
     /// film: 6e-4 at 7 cm is the worst that a search has found.
     #[cfg(feature = "libm")]
     #[must_use]
-    pub fn at(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
+    pub fn at(&self, nm: f32, cos_theta: f32) -> [PowerShares; 2] {
         self.at_with::<Portable>(nm, cos_theta)
     }
 
     /// [`at`](Self::at) on another math backend.
     #[must_use]
-    pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [Shares; 2] {
-        let Some(tilted) = self.tilted(nm, cos_theta) else { return [Shares::NAN; 2] };
-        let Some([s, p]) = tilted.faces() else { return [Shares::MIRROR; 2] };
+    pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [PowerShares; 2] {
+        let Some(tilted) = self.tilted(nm, cos_theta) else { return [PowerShares::NAN; 2] };
+        let Some([s, p]) = tilted.faces() else { return [PowerShares::MIRROR; 2] };
         if self.is_plate(&tilted, nm) {
             return [s.incoherent(), p.incoherent()];
         }
@@ -152,7 +152,7 @@ impl<I: FilmIndices> ThinFilm<I> {
     pub fn bins_with<M: Math, const N: usize, G: Grid>(
         &self,
         cos_theta: f32,
-        share: impl Fn(Shares) -> f32,
+        share: impl Fn(PowerShares) -> f32,
     ) -> [Spectrum<Factor, N, G>; 2] {
         bins(|low_nm, high_nm| self.between_with::<M>(low_nm, high_nm, cos_theta).map(&share))
     }
@@ -162,14 +162,14 @@ impl<I: FilmIndices> ThinFilm<I> {
     /// Where it has many fringes their integral over the phase is taken in closed form (the sum over all beams is
     /// an arc tangent) and the phase's change of pace by its next order.
     #[must_use]
-    pub fn between_with<M: Math>(&self, low_nm: f32, high_nm: f32, cos_theta: f32) -> [Shares; 2] {
+    pub fn between_with<M: Math>(&self, low_nm: f32, high_nm: f32, cos_theta: f32) -> [PowerShares; 2] {
         let width = high_nm - low_nm;
         let (Some(low), Some(middle), Some(high)) = (
             self.tilted(low_nm, cos_theta),
             self.tilted(0.5 * (low_nm + high_nm), cos_theta),
             self.tilted(high_nm, cos_theta),
         ) else {
-            return [Shares::NAN; 2];
+            return [PowerShares::NAN; 2];
         };
         let mut panels = 1;
         if let Some([s, p]) = middle.faces()
@@ -196,7 +196,7 @@ impl<I: FilmIndices> ThinFilm<I> {
             let sharpest = 1.0_f32.min(s.round_trip()[1]).min(p.round_trip()[1]);
             panels += ((4.0 * reach / sharpest) as u32).min(255);
         }
-        Shares::averaged(low_nm, high_nm, panels, |nm| self.at_with::<M>(nm, cos_theta))
+        PowerShares::averaged(low_nm, high_nm, panels, |nm| self.at_with::<M>(nm, cos_theta))
     }
 
     fn tilted(&self, nm: f32, cos_theta: f32) -> Option<Tilted> {

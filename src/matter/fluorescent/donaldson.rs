@@ -1,10 +1,12 @@
 //! Fluorescent matter of any kind, by its bispectral matrix.
 
 use crate::grid::{Bands, Bins, Grid, by_fields};
-use crate::matter::fluorescent::Dye;
 use crate::matter::fluorescent::dye::{FluorescenceError, ROUNDING, wavelength};
+use crate::matter::{Dye, Effect, Foldable};
 use crate::price::{Effects, Price, Priced};
-use crate::spectrum::{Factor, Spectrum};
+use crate::spectrum::{Factor, Power, Spectrum};
+use crate::sum::rows;
+use core::array::from_ref;
 use core::marker::PhantomData;
 
 /// Fluorescent matter of any kind: which share of the light of bin `i` leaves in bin `k`, for all `k >= i`
@@ -22,7 +24,7 @@ use core::marker::PhantomData;
 pub struct Donaldson<const N: usize, const P: usize, G = Bins<380, 730>> {
     /// For bin 0 what it becomes in bins 0, 1, .. N - 1; for bin 1 in 1, .. N - 1; and so on.
     columns: [f32; P],
-    grid: PhantomData<G>,
+    grid: PhantomData<fn() -> G>,
 }
 
 by_fields!([const N: usize, const P: usize, G] Donaldson<N, P, G>, "Donaldson": columns);
@@ -129,15 +131,20 @@ impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
         }
     }
 
-    /// The matrix times `light`.
-    #[inline]
-    pub(crate) fn applied(&self, light: &[f32; N]) -> [f32; N] {
-        applied(&self.columns, light)
+    /// Of each bin of light, what it becomes in all bins; zero in those of shorter waves.
+    fn columns(&self) -> impl Iterator<Item = [f32; N]> {
+        let mut rest = self.columns.as_slice();
+        (0..N).map_while(move |i| {
+            let (column, next) = rest.split_at_checked(N - i)?;
+            rest = next;
+            let mut bins = [0.0; N];
+            bins.iter_mut().skip(i).zip(column).for_each(|(bin, share)| *bin = *share);
+            Some(bins)
+        })
     }
 
-    /// What an eye of these weights makes of light that has yet to meet the matter: the transposed matrix times the
-    /// weights. Computes in f64, for `const` use.
-    pub(crate) const fn adjoint(&self, weights: &[f32; N]) -> [f32; N] {
+    /// [`Foldable::transposed`] in f64, for `const` use.
+    pub(crate) const fn transposed_in_f64(&self, weights: &[f32; N]) -> [f32; N] {
         let mut before = [0.0; N];
         let (mut next, mut i) = (0, 0);
         while i < N {
@@ -155,26 +162,49 @@ impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
         }
         before
     }
+}
 
-    /// For bin 0 what it becomes in bins 0, 1, .. N - 1; for bin 1 in 1, .. N - 1; and so on.
+impl<const N: usize, const P: usize, G> Effect<N, G> for Donaldson<N, P, G> {
     #[inline]
-    pub(crate) const fn columns(&self) -> &[f32] {
-        &self.columns
+    fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
+        let mut leaving = [0.0; N];
+        let mut columns = self.columns.as_slice();
+        for (i, value) in light.0.iter().enumerate() {
+            let Some((column, rest)) = columns.split_at_checked(N - i) else { break };
+            for (out, share) in leaving.iter_mut().skip(i).zip(column) {
+                *out += share * value;
+            }
+            columns = rest;
+        }
+        Spectrum::unchecked(leaving)
     }
 }
 
-/// A packed matrix times `light`.
-#[inline]
-pub(crate) fn applied<const N: usize>(mut columns: &[f32], light: &[f32; N]) -> [f32; N] {
-    let mut leaving = [0.0; N];
-    for (i, value) in light.iter().enumerate() {
-        let Some((column, rest)) = columns.split_at_checked(N - i) else { break };
-        for (out, share) in leaving.iter_mut().skip(i).zip(column) {
-            *out += share * value;
+impl<const N: usize, const P: usize, G> Foldable<N, G> for Donaldson<N, P, G> {
+    fn transposed(&self, weights: &[f32; N]) -> [f32; N] {
+        let mut before = [f32::NAN; N];
+        for (before, column) in before.iter_mut().zip(self.columns()) {
+            [*before] = rows(from_ref(weights), &column);
         }
-        columns = rest;
+        before
     }
-    leaving
+
+    /// The ordinary reflectance: the diagonal.
+    fn without_effect(&self) -> Spectrum<Factor, N, G> {
+        let mut diagonal = [f32::NAN; N];
+        for (k, (value, column)) in diagonal.iter_mut().zip(self.columns()).enumerate() {
+            *value = column.get(k).copied().unwrap_or(f32::NAN);
+        }
+        Spectrum::unchecked(diagonal)
+    }
+
+    fn name(&self) -> &'static str {
+        "donaldson"
+    }
+
+    fn price(&self) -> Price {
+        Self::PRICE
+    }
 }
 
 impl<const N: usize, const P: usize, G> Priced for Donaldson<N, P, G> {

@@ -1,7 +1,9 @@
 //! Matter that absorbs light at one wavelength and emits it at a longer one.
 
 use crate::grid::{Bands, Bins, Grid, Layout, by_fields};
-use crate::observer::Path;
+use crate::matter::effect::glowing;
+use crate::matter::{Effect, Foldable, Glows};
+use crate::observer::Stimulus;
 use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Outside, Power, Spectrum};
 use crate::sum::rows;
@@ -12,7 +14,7 @@ use core::marker::PhantomData;
 /// excited (Kasha's and Vavilov's rules).
 ///
 /// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`: two numbers more
-/// than a surface has for each bin, where the full [`Donaldson`](crate::matter::fluorescent::Donaldson) matrix has `N / 2`. What the dye emits at shorter
+/// than a surface has for each bin, where the full [`Donaldson`](crate::matter::Donaldson) matrix has `N / 2`. What the dye emits at shorter
 /// waves than it absorbs is not left out: that costs 0.08 CIEDE2000 against the matrix for the vest below.
 ///
 /// ```
@@ -47,7 +49,8 @@ pub struct Dye<const N: usize, G = Bins<380, 730>> {
     pub(super) absorbs: [f32; N],
     /// Per nm, for a glow of 1.
     pub(super) emits: [f32; N],
-    grid: PhantomData<G>,
+    /// (A function, so that a dye can be shared between threads whatever `G` is.)
+    grid: PhantomData<fn() -> G>,
 }
 
 by_fields!([const N: usize, G] Dye<N, G>, "Dye": reflects, absorbs, emits);
@@ -195,30 +198,16 @@ impl<const N: usize, G> Dye<N, G> {
         Spectrum::unchecked(self.reflects)
     }
 
-    /// What this light makes the dye absorb to emit again: the number its emission is multiplied with, which has all
-    /// of its power in units of the light's power per nm times nm.
+    /// The total power that the dye emits under this light: the factor by which its emission spectrum is multiplied, in
+    /// units of the light's power per nm times nm.
     #[must_use]
     #[inline]
-    pub fn glow_under<P: Path<Power, N, G>>(&self, light: P) -> f32 {
-        light.read(|bins| self.glow_of(bins))
+    pub fn glow_under<S: Stimulus<Power, N, G>>(&self, light: S) -> f32 {
+        light.read(|light| self.glow_in(light))
     }
 
-    #[inline]
-    pub(crate) fn glow_of(&self, bins: &[f32; N]) -> f32 {
-        let [glow] = rows(from_ref(&self.absorbs), bins);
-        glow
-    }
-
-    /// Reflectance and emission of bin `k`.
-    #[inline]
-    pub(crate) fn at(&self, k: usize) -> (f32, f32) {
-        let value = |values: &[f32; N]| values.get(k).copied().unwrap_or(f32::NAN);
-        (value(&self.reflects), value(&self.emits))
-    }
-
-    /// What an eye of these weights makes of light that has yet to meet the dye: the transposed matrix times the
-    /// weights. Computes in f64, for `const` use.
-    pub(crate) const fn adjoint(&self, weights: &[f32; N]) -> [f32; N] {
+    /// [`Foldable::transposed`] in f64, for `const` use.
+    pub(crate) const fn transposed_in_f64(&self, weights: &[f32; N]) -> [f32; N] {
         // How the eye sees the dye's own light.
         let (mut glow, mut k) = (0.0, 0);
         while k < N {
@@ -234,17 +223,49 @@ impl<const N: usize, G> Dye<N, G> {
         }
         before
     }
+}
 
-    /// For each bin, what light of 1 per nm adds to the glow.
+impl<const N: usize, G> Effect<N, G> for Dye<N, G> {
     #[inline]
-    pub(crate) const fn absorption(&self) -> &[f32; N] {
-        &self.absorbs
+    fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
+        glowing(self, light)
+    }
+}
+
+impl<const N: usize, G> Glows<N, G> for Dye<N, G> {
+    #[inline]
+    fn glow_in(&self, light: &Spectrum<Power, N, G>) -> f32 {
+        let [glow] = rows(from_ref(&self.absorbs), &light.0);
+        glow
     }
 
-    /// Of each bin, per nm, for a glow of 1.
     #[inline]
-    pub(crate) const fn emission(&self) -> &[f32; N] {
-        &self.emits
+    fn leaving_bin(&self, k: usize, incoming: f32, glow: f32) -> f32 {
+        let value = |values: &[f32; N]| values.get(k).copied().unwrap_or(f32::NAN);
+        incoming * value(&self.reflects) + value(&self.emits) * glow
+    }
+}
+
+impl<const N: usize, G> Foldable<N, G> for Dye<N, G> {
+    fn transposed(&self, weights: &[f32; N]) -> [f32; N] {
+        let [glow] = rows(from_ref(weights), &self.emits);
+        let mut before = *weights;
+        for ((weight, reflects), absorbs) in before.iter_mut().zip(&self.reflects).zip(&self.absorbs) {
+            *weight = *weight * reflects + glow * absorbs;
+        }
+        before
+    }
+
+    fn without_effect(&self) -> Spectrum<Factor, N, G> {
+        self.reflectance()
+    }
+
+    fn name(&self) -> &'static str {
+        "dye"
+    }
+
+    fn price(&self) -> Price {
+        Self::PRICE
     }
 }
 

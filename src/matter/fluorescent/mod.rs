@@ -5,6 +5,5 @@ mod dye;
 mod phosphor;
 
 pub use donaldson::Donaldson;
-pub(crate) use donaldson::applied;
 pub use dye::{Dye, FluorescenceError};
 pub use phosphor::Phosphor;

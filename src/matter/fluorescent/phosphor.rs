@@ -4,10 +4,11 @@ use crate::grid::{Bins, by_fields};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Double, Math};
-use crate::matter::Dye;
-use crate::observer::Path;
+use crate::matter::effect::glowing;
+use crate::matter::{Dye, Effect, Glows};
+use crate::observer::Stimulus;
 use crate::price::{Effects, Price, Priced};
-use crate::spectrum::Power;
+use crate::spectrum::{Power, Spectrum};
 
 /// A dye that emits what it absorbed later, by one exponential decay: afterglow paint, the red of a lamp's phosphor.
 ///
@@ -70,12 +71,12 @@ impl<const N: usize, G> Phosphor<N, G> {
     /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26 lifetimes
     /// are off by 3e-8 from one as long as all (`tests/matter/fluorescence.rs`).
     #[cfg(feature = "libm")]
-    pub fn step<P: Path<Power, N, G>>(&mut self, light: P, duration_s: f32) {
-        self.step_with::<Portable, P>(light, duration_s);
+    pub fn step<S: Stimulus<Power, N, G>>(&mut self, light: S, duration_s: f32) {
+        self.step_with::<Portable, S>(light, duration_s);
     }
 
     /// [`step`](Self::step) by the functions of `M`.
-    pub fn step_with<M: Math, P: Path<Power, N, G>>(&mut self, light: P, duration_s: f32) {
+    pub fn step_with<M: Math, S: Stimulus<Power, N, G>>(&mut self, light: S, duration_s: f32) {
         let lifetimes = match duration_s / self.lifetime_s {
             // Without a lifetime it is there at once, and 0 / 0 is no number of lifetimes.
             _ if self.lifetime_s == 0.0 && duration_s >= 0.0 => f32::INFINITY,
@@ -95,6 +96,26 @@ impl<const N: usize, G> Phosphor<N, G> {
             self.glow = target * share + self.glow * M::exp(-lifetimes);
             self.rest = 0.0;
         }
+    }
+}
+
+/// It emits the glow of this moment, whatever light falls on it. So it is not linear in the light, and does not fold.
+impl<const N: usize, G> Effect<N, G> for Phosphor<N, G> {
+    #[inline]
+    fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
+        glowing(self, light)
+    }
+}
+
+impl<const N: usize, G> Glows<N, G> for Phosphor<N, G> {
+    #[inline]
+    fn glow_in(&self, _: &Spectrum<Power, N, G>) -> f32 {
+        self.glow
+    }
+
+    #[inline]
+    fn leaving_bin(&self, k: usize, incoming: f32, glow: f32) -> f32 {
+        self.dye.leaving_bin(k, incoming, glow)
     }
 }
 

@@ -38,8 +38,8 @@ impl<const N: usize, G> Mueller<N, G> {
         [i, self.cos * q - self.sin * u, self.sin * q + self.cos * u, v]
     }
 
-    /// The multiplications of [`turn_natural`](Self::turn_natural) in all bins.
-    pub(crate) const NATURAL: usize = 4 * N;
+    /// What [`turn_natural`](Self::turn_natural) in all bins costs.
+    pub(crate) const PRICE_OF_NATURAL: Price = Price { multiply_adds: 4 * N, ..Self::PRICE };
 
     /// What becomes of unpolarized light in bin `k`: a quarter of the work, since no compiler may leave out a product
     /// with zero.

@@ -12,4 +12,4 @@ pub use rayleigh::{air_refractivity, king_factor, rayleigh_cross_section, raylei
 pub use slab::{Slab, internal_transmittance};
 #[cfg(feature = "libm")]
 pub use subsurface::burley_distance;
-pub use subsurface::{Burley, Dipole, SearchLight, burley_distance_with};
+pub use subsurface::{Burley, BurleyFit, Dipole, burley_distance_with};

@@ -6,7 +6,7 @@ use crate::math::Portable;
 use crate::math::at_most;
 use crate::math::{Math, sqrt};
 use crate::matter::volume::absorption::depth;
-use crate::matter::{Absorber, AbsorberError, Dielectric, Shares};
+use crate::matter::{Absorber, AbsorberError, Dielectric, PowerShares};
 use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// A plane-parallel slab between two like media: window glass, a filter, the wall of a cuvette.
@@ -146,7 +146,11 @@ impl<const N: usize, G: Bands> Slab<N, G> {
     /// ```
     #[cfg(feature = "libm")]
     #[must_use]
-    pub fn components(&self, cos_theta: f32, pick: impl Fn(Shares) -> f32) -> [Spectrum<Factor, N, G>; 2] {
+    pub fn components(
+        &self,
+        cos_theta: f32,
+        pick: impl Fn(PowerShares) -> f32,
+    ) -> [Spectrum<Factor, N, G>; 2] {
         self.components_with::<Portable>(cos_theta, pick)
     }
 
@@ -155,7 +159,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
     pub fn components_with<M: Math>(
         &self,
         cos_theta: f32,
-        pick: impl Fn(Shares) -> f32,
+        pick: impl Fn(PowerShares) -> f32,
     ) -> [Spectrum<Factor, N, G>; 2] {
         let (mut s, mut p) = ([0.0; N], [0.0; N]);
         for ((s, p), shares) in s.iter_mut().zip(&mut p).zip(self.shares::<M>(cos_theta)) {
@@ -164,7 +168,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
         [Spectrum::from_bins(s), Spectrum::from_bins(p)]
     }
 
-    fn mean<M: Math>(&self, cos_theta: f32, pick: impl Fn(Shares) -> f32) -> Spectrum<Factor, N, G> {
+    fn mean<M: Math>(&self, cos_theta: f32, pick: impl Fn(PowerShares) -> f32) -> Spectrum<Factor, N, G> {
         let mut values = [0.0; N];
         for (value, [s, p]) in values.iter_mut().zip(self.shares::<M>(cos_theta)) {
             *value = 0.5 * (pick(s) + pick(p));
@@ -173,7 +177,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
     }
 
     /// What becomes of s and p polarized light, bin by bin.
-    fn shares<M: Math>(&self, cos_theta: f32) -> impl Iterator<Item = [Shares; 2]> {
+    fn shares<M: Math>(&self, cos_theta: f32) -> impl Iterator<Item = [PowerShares; 2]> {
         self.index.values().iter().zip(self.absorber.per_m()).map(move |(index, sigma)| {
             let face = Dielectric::new(*index);
             let (reflected, entering) = (face.fresnel(cos_theta), face.entering(cos_theta));
@@ -235,15 +239,15 @@ pub fn internal_transmittance<const N: usize, G: Bands>(
 
 /// The sum over all beams, of a face that reflects R and lets E = 1 - R in, and an inside that passes tau and keeps
 /// a = 1 - tau: 1 - R tau = E + R a without cancellation.
-fn to_and_fro(reflected: f32, entering: f32, passed: f32, lost: f32) -> Shares {
+fn to_and_fro(reflected: f32, entering: f32, passed: f32, lost: f32) -> PowerShares {
     if entering == 0.0 {
         // Grazing, or total: as many beams as one likes of nothing.
-        return Shares { reflected: 1.0 + 0.0 * lost, transmitted: 0.0 * lost, absorbed: 0.0 * lost };
+        return PowerShares { reflected: 1.0 + 0.0 * lost, transmitted: 0.0 * lost, absorbed: 0.0 * lost };
     }
     let round = reflected * passed;
     let arriving = entering / (entering + reflected * lost);
     let transmitted = passed * arriving * (entering / (1.0 + round));
-    Shares {
+    PowerShares {
         reflected: at_most(reflected + transmitted * round, 1.0),
         transmitted,
         absorbed: lost * arriving,

@@ -14,7 +14,7 @@ use core::f32::consts::PI;
 /// How light falls on the surface, and which mean free path is known: the three fits of Christensen and Burley 2015.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum SearchLight {
+pub enum BurleyFit {
     /// A narrow beam at right angles; the volume mean free path.
     Beam,
     /// Light from all sides, refracted; the volume mean free path.
@@ -23,7 +23,7 @@ pub enum SearchLight {
     DiffusePath,
 }
 
-impl SearchLight {
+impl BurleyFit {
     /// What a mean free path is divided by to get Burley's d, for a surface albedo of 0..=1.
     ///
     /// # Reference
@@ -76,7 +76,7 @@ impl<const N: usize, G: Bands> Burley<N, G> {
 
     /// From the albedo and the mean free path >= 0 of each bin.
     #[must_use]
-    pub fn from_mean_free_path(albedo: Reflectance<N, G>, path: [f32; N], by: SearchLight) -> Self {
+    pub fn from_mean_free_path(albedo: Reflectance<N, G>, path: [f32; N], by: BurleyFit) -> Self {
         let mut distance = path;
         for (d, albedo) in distance.iter_mut().zip(albedo.values()) {
             *d /= by.scaling(*albedo);

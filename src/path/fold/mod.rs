@@ -1,6 +1,6 @@
 //! What light meets, folded into the eye: from the eye backwards along the path.
 
-mod fluorescent;
+mod effect;
 mod polarized;
 
 pub use polarized::PolarizedObserver;

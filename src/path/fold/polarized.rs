@@ -108,7 +108,7 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
         Observer::unchecked(weights)
     }
 
-    const fn behind(&self, element: &Mueller<N, G>) -> Self {
+    pub(in crate::path) const fn behind(&self, element: &Mueller<N, G>) -> Self {
         let mut weights = self.0;
         let mut c = 0;
         while c < C {

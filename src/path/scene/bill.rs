@@ -34,7 +34,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// }
     /// // Four numbers for each bin from the polarizer on.
     /// assert_eq!(scene.bill().last().map(|line| line.price.multiply_adds), Some(4 * 31));
-    /// # Ok::<(), nanospectra::path::Full>(())
+    /// # Ok::<(), nanospectra::path::SceneFullError>(())
     /// ```
     pub fn bill(&self) -> impl Iterator<Item = BillLine> {
         let mut stokes = false;
@@ -44,7 +44,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
             // A part that polarizes or passes polarization on has four numbers to work on behind one that polarizes.
             let passes = matches!(step.part, Part::Filter(_)) || step.part.polarizes();
             let more = match stokes && passes {
-                true if turns => Mueller::<N, G>::PRICE.multiply_adds - Mueller::<N, G>::NATURAL,
+                true if turns => Mueller::<N, G>::PRICE.multiply_adds - price.multiply_adds,
                 true => 3 * N,
                 false => 0,
             };

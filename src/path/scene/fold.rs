@@ -1,20 +1,19 @@
 //! A scene folded into the eye that looks at it.
 
-use crate::matter::Dye;
 use crate::observer::Observer;
 use crate::path::PolarizedObserver;
-use crate::path::scene::{Bispectral, Part, Scene};
+use crate::path::scene::{Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// A part of a scene does something to polarized light that plain light cannot tell.
+/// A part of the scene polarizes light, which one number for each bin does not describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NeedsPolarization {
+pub struct PolarizationError {
     /// The part, counted from 0.
     pub part: usize,
 }
 
-impl core::fmt::Display for NeedsPolarization {
+impl core::fmt::Display for PolarizationError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
@@ -24,7 +23,7 @@ impl core::fmt::Display for NeedsPolarization {
     }
 }
 
-impl core::error::Error for NeedsPolarization {}
+impl core::error::Error for PolarizationError {}
 
 /// The eye on its way back: asked for Stokes vectors only while parts need them.
 enum Eye<const C: usize, const N: usize, G> {
@@ -68,12 +67,12 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// [`leaving`](Self::leaving) has the eye see.
     ///
     /// # Errors
-    /// [`NeedsPolarization`]: a mirror, a polarizer or a retarder is in the path;
+    /// [`PolarizationError`]: a mirror, a polarizer or a retarder is in the path;
     /// [`fold_polarized`](Self::fold_polarized) carries what they do.
     pub fn fold<const C: usize>(
         &self,
         eye: &Observer<C, N, Power, G>,
-    ) -> Result<Observer<C, N, Power, G>, NeedsPolarization> {
+    ) -> Result<Observer<C, N, Power, G>, PolarizationError> {
         self.unpolarized()?;
         Ok(self.fold_polarized(eye))
     }
@@ -87,55 +86,20 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
             eye = match &step.part {
                 Part::Filter(factors) => eye.through(factors),
                 Part::Surface(factors) => Eye::Plain(eye.unpolarized().looking_at(factors)),
-                part @ (Part::Dye(_) | Part::Donaldson(_)) if step.left_out => {
-                    Eye::Plain(eye.unpolarized().looking_at(&part.without_effect()))
+                Part::Effect(matter) if step.left_out => {
+                    Eye::Plain(eye.unpolarized().looking_at(&matter.without_effect()))
                 }
+                Part::Effect(matter) => Eye::Plain(eye.unpolarized().looking_at_matter(*matter)),
                 part if step.left_out => eye.through(&part.without_effect()),
-                Part::Dye(dye) => Eye::Plain(at_dye(&eye.unpolarized(), dye)),
-                Part::Donaldson(matter) => Eye::Plain(at_donaldson(&eye.unpolarized(), matter)),
-                Part::Mirror(mirror) => Eye::Stokes(eye.polarized().looking_at_mirror(mirror)),
-                Part::Polarizer(polarizer) => Eye::Stokes(eye.polarized().through_polarizer(polarizer)),
-                Part::Retarder(retarder) => Eye::Stokes(eye.polarized().through_retarder(retarder)),
+                Part::Polarizing { mueller, .. } => Eye::Stokes(eye.polarized().behind(mueller)),
             };
         }
         eye.unpolarized()
     }
 
-    /// Whether plain light can tell all that happens.
-    pub(super) fn unpolarized(&self) -> Result<(), NeedsPolarization> {
+    /// Whether one number for each bin describes all that happens.
+    pub(super) fn unpolarized(&self) -> Result<(), PolarizationError> {
         let polarizes = self.steps().position(|step| !step.left_out && step.part.polarizes());
-        polarizes.map_or(Ok(()), |part| Err(NeedsPolarization { part }))
+        polarizes.map_or(Ok(()), |part| Err(PolarizationError { part }))
     }
-}
-
-/// [`Observer::looking_at_dye`] in f32.
-fn at_dye<const C: usize, const N: usize, G>(
-    eye: &Observer<C, N, Power, G>,
-    dye: &Dye<N, G>,
-) -> Observer<C, N, Power, G> {
-    let mut weights = eye.0;
-    let glows = eye.sees(&Spectrum::unchecked(*dye.emission()));
-    for (row, glow) in weights.iter_mut().zip(glows) {
-        for ((weight, reflects), absorbs) in row.iter_mut().zip(&dye.reflectance().0).zip(dye.absorption()) {
-            *weight = *weight * reflects + glow * absorbs;
-        }
-    }
-    Observer::unchecked(weights)
-}
-
-/// [`Observer::looking_at_donaldson`] in f32.
-fn at_donaldson<const C: usize, const N: usize, G>(
-    eye: &Observer<C, N, Power, G>,
-    matter: &Bispectral<'_, N, G>,
-) -> Observer<C, N, Power, G> {
-    let mut weights = [[f32::NAN; N]; C];
-    for (i, column) in matter.columns().enumerate() {
-        let seen = eye.sees(&Spectrum::unchecked(column));
-        for (row, value) in weights.iter_mut().zip(seen) {
-            if let Some(weight) = row.get_mut(i) {
-                *weight = value;
-            }
-        }
-    }
-    Observer::unchecked(weights)
 }

@@ -9,6 +9,6 @@ mod walk;
 
 pub use bill::BillLine;
 pub use budget::WithinBudget;
-pub use fold::NeedsPolarization;
-pub use part::{Bispectral, IntoPart, Part};
-pub use parts::{Full, Scene};
+pub use fold::PolarizationError;
+pub use part::{IntoPart, Part};
+pub use parts::{Scene, SceneFullError};

@@ -8,10 +8,10 @@ use crate::path::{Effects, Price};
 /// which light meets them, in fixed memory.
 ///
 /// A path that is known while compiling is better written as one (`lamp.through(&glass).onto(&vest)`): then what
-/// cannot be does not compile, and an effect that is not there is not in the image. A scene is an enum, and has the
-/// code of all of them.
+/// cannot be does not compile, and nothing is decided at run time.
 ///
-/// Lamp first, every part worked out in turn, or eye first: folded into an observer that is as cheap as any.
+/// A scene can be evaluated from the lamp on, part by part ([`leaving`](Self::leaving)), or from the eye back:
+/// [`fold`](Self::fold) gives an observer that costs as much as any other.
 ///
 /// ```
 /// use nanospectra::matter::Dye;
@@ -60,18 +60,18 @@ pub(super) struct Step<'a, const N: usize, G> {
 /// A scene has no room for another part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Full {
+pub struct SceneFullError {
     /// How many parts there is room for.
     pub capacity: usize,
 }
 
-impl core::fmt::Display for Full {
+impl core::fmt::Display for SceneFullError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "the scene has room for {} parts", self.capacity)
     }
 }
 
-impl core::error::Error for Full {}
+impl core::error::Error for SceneFullError {}
 
 impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
     /// Nothing between the lamp and the eye.
@@ -83,9 +83,10 @@ impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
     /// Puts a part behind the others: the one that the light meets last, before the eye.
     ///
     /// # Errors
-    /// [`Full`]: there are `CAP` parts already.
-    pub fn push(&mut self, part: impl IntoPart<'a, N, G>) -> Result<(), Full> {
-        let free = self.steps.iter_mut().find(|step| step.is_none()).ok_or(Full { capacity: CAP })?;
+    /// [`SceneFullError`]: there are `CAP` parts already.
+    pub fn push(&mut self, part: impl IntoPart<'a, N, G>) -> Result<(), SceneFullError> {
+        let free =
+            self.steps.iter_mut().find(|step| step.is_none()).ok_or(SceneFullError { capacity: CAP })?;
         *free = Some(Step { part: part.into_part(), left_out: false });
         Ok(())
     }

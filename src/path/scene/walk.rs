@@ -2,7 +2,7 @@
 
 use crate::matter::Mueller;
 use crate::path::scene::parts::Step;
-use crate::path::scene::{NeedsPolarization, Part, Scene};
+use crate::path::scene::{Part, PolarizationError, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
 /// Light on its way: as Stokes vectors only from a part that polarizes to the next that scatters.
@@ -36,23 +36,12 @@ impl<const N: usize> Beam<N> {
         match &step.part {
             Part::Filter(factors) => self.dimmed(factors),
             Part::Surface(factors) => Beam::Plain(times(self.intensity(), factors)),
-            part @ (Part::Dye(_) | Part::Donaldson(_)) if step.left_out => {
-                Beam::Plain(times(self.intensity(), &part.without_effect()))
+            Part::Effect(matter) if step.left_out => {
+                Beam::Plain(times(self.intensity(), &matter.without_effect()))
             }
+            Part::Effect(matter) => Beam::Plain(matter.leaving(&Spectrum::unchecked(self.intensity())).0),
             part if step.left_out => self.dimmed(&part.without_effect()),
-            Part::Dye(dye) => {
-                let mut light = self.intensity();
-                let glow = dye.glow_of(&light);
-                for (k, value) in light.iter_mut().enumerate() {
-                    let (reflects, emits) = dye.at(k);
-                    *value = *value * reflects + emits * glow;
-                }
-                Beam::Plain(light)
-            }
-            Part::Donaldson(matter) => Beam::Plain(matter.applied(&self.intensity())),
-            Part::Mirror(mirror) => self.turned(mirror.mueller()),
-            Part::Polarizer(polarizer) => self.turned(polarizer.mueller()),
-            Part::Retarder(retarder) => self.turned(retarder.mueller()),
+            Part::Polarizing { mueller, .. } => self.turned(mueller),
         }
     }
 
@@ -86,9 +75,9 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// What reaches the eye of the light of `lamp`, which is unpolarized.
     ///
     /// # Errors
-    /// [`NeedsPolarization`]: a mirror, a polarizer or a retarder is in the path;
+    /// [`PolarizationError`]: a mirror, a polarizer or a retarder is in the path;
     /// [`leaving_polarized`](Self::leaving_polarized) follows what they do.
-    pub fn leaving(&self, lamp: &Spectrum<Power, N, G>) -> Result<Spectrum<Power, N, G>, NeedsPolarization> {
+    pub fn leaving(&self, lamp: &Spectrum<Power, N, G>) -> Result<Spectrum<Power, N, G>, PolarizationError> {
         self.unpolarized()?;
         Ok(self.leaving_polarized(lamp))
     }

@@ -3,7 +3,7 @@
 use super::hash::{Hash, Random};
 use nanospectra::matter::{Donaldson, Dye, Mirror, Polarizer, Retarder};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::path::{Part, Scene};
+use nanospectra::path::{IntoPart, Part, Scene};
 use nanospectra::{Light, Power, Reflectance};
 
 /// Few bands, as for the other paths.
@@ -32,11 +32,11 @@ fn scenes(hash: &mut Hash) {
             let part = match (7.0 * random.unit()) as u32 {
                 0 => Part::Filter(&glass),
                 1 => Part::Surface(&glass),
-                2 => Part::from(&dye),
-                3 => Part::from(&matrix),
-                4 => Part::from(&lake),
-                5 => Part::from(&sheet),
-                _ => Part::from(&plate),
+                2 => (&dye).into_part(),
+                3 => (&matrix).into_part(),
+                4 => (&lake).into_part(),
+                5 => (&sheet).into_part(),
+                _ => (&plate).into_part(),
             };
             hash.word(u32::from(scene.push(part).is_ok()));
         }

@@ -3,8 +3,8 @@
 use super::hash::{Hash, Random};
 use nanospectra::geometry::{Cosine, Direction, Frame};
 use nanospectra::matter::{
-    Absorber, Brdf, Burley, Conductor, Dielectric, Dipole, Glass, Layer, Medium, Microfacet, N_BK7,
-    OrenNayar, SearchLight, Shares, Slab, Stack, ThinFilm, TrowbridgeReitz, VisibleNormals,
+    Absorber, Brdf, Burley, BurleyFit, Conductor, Dielectric, Dipole, Glass, Layer, Medium, Microfacet,
+    N_BK7, OrenNayar, PowerShares, Slab, Stack, ThinFilm, TrowbridgeReitz, VisibleNormals,
     rayleigh_cross_section, scattering,
 };
 use nanospectra::radiometry::{form_factor, solid_angle};
@@ -75,7 +75,8 @@ fn films(hash: &mut Hash) {
             layers: [layer(1.3 + index, 300.0 * thickness), layer(1.4 + metal, 200.0)],
             substrate: Medium { n: 1.5, k: 3.0 * metal },
         };
-        let Shares { reflected, transmitted, absorbed } = Shares::mean(stack.at(400.0 + 300.0 * k, cosine));
+        let PowerShares { reflected, transmitted, absorbed } =
+            PowerShares::mean(stack.at(400.0 + 300.0 * k, cosine));
         hash.all(&[reflected, transmitted, absorbed]);
     }
 }
@@ -96,7 +97,7 @@ fn volumes(hash: &mut Hash) {
             hash.all(window.absorbed(r).values());
         }
         hash.one(rayleigh_cross_section(300.0 + 700.0 * nm, 360.0));
-        let skin = Burley::from_mean_free_path(plate, random.bins(), SearchLight::Diffuse);
+        let skin = Burley::from_mean_free_path(plate, random.bins(), BurleyFit::Diffuse);
         hash.all(skin.times_radius(r).values());
         hash.all(skin.within(r).values());
         let milk: Dipole<16> = Dipole::new(random.bins(), random.bins(), 1.0 + path);

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::input::table;
 use crate::scene::file::{self, Factors, Film, Part as Written, Points, Recipe, Sample};
 use nanospectra::matter::{Absorber, CES, Dye, Mirror, Polarizer, Retarder, ThinFilm};
-use nanospectra::path::Part;
+use nanospectra::path::{IntoPart, Part};
 use nanospectra::{Grid, Light, Quantity, Reflectance, Spectrum};
 use toml::Spanned;
 
@@ -41,10 +41,10 @@ impl<const N: usize, G: Grid> Matter<N, G> {
         match &self.what {
             What::Plain { factors, .. } if self.is_matt => Part::Surface(factors),
             What::Plain { factors, .. } => Part::Filter(factors),
-            What::Dye(dye) => dye.into(),
-            What::Mirror(mirror) => mirror.into(),
-            What::Polarizer(polarizer) => polarizer.into(),
-            What::Retarder(retarder) => retarder.into(),
+            What::Dye(dye) => dye.into_part(),
+            What::Mirror(mirror) => mirror.into_part(),
+            What::Polarizer(polarizer) => polarizer.into_part(),
+            What::Retarder(retarder) => retarder.into_part(),
         }
     }
 

@@ -9,13 +9,13 @@ mod without_panic;
 use core::hint::black_box;
 use nanospectra::geometry::{Cosine, Direction, Frame, GaussLegendre, Uniform};
 use nanospectra::matter::{
-    Absorber, Brdf, Burley, Cauchy, Conductor, Dielectric, Dipole, Donaldson, Dye, Glass, Lambert, Layer,
-    Medium, Microfacet, Mirror, N_BK7, OrenNayar, Phosphor, Polarizer, Retarder, SearchLight, Slab, Smooth,
-    Stack, ThinFilm, TrowbridgeReitz, VisibleNormals, external_reflectance, internal_reflectance,
+    Absorber, Brdf, Burley, BurleyFit, Cauchy, Conductor, Dielectric, Dipole, Donaldson, Dye, Glass, Lambert,
+    Layer, Medium, Microfacet, Mirror, N_BK7, OrenNayar, Phosphor, Polarizer, Retarder, Slab, Smooth, Stack,
+    ThinFilm, TrowbridgeReitz, VisibleNormals, external_reflectance, internal_reflectance,
     internal_transmittance, rayleigh_per_m, scattering, stack_bins,
 };
 use nanospectra::observer::{CIE_1931, Curve, Observer};
-use nanospectra::path::{Part, Scene};
+use nanospectra::path::{IntoPart, Part, Scene};
 use nanospectra::radiometry::{
     DiskSource, PointSource, Radiance, RectangleSource, SphereSource, SurfaceElement, SurfaceRadiance,
     form_factor, solid_angle,
@@ -63,8 +63,14 @@ fn scenes() {
     let (matrix, sheet) = (Donaldson::<31, 496>::of_dye(&VEST), Polarizer::ideal(black_box(0.2)));
     let (lake, plate) = (Mirror::dielectric(&[1.33; 31], 0.5, 0.1), Retarder::flat(black_box(0.2), 0.1));
     let mut scene: Scene<31, 8> = Scene::new();
-    let parts = [Part::Filter(&gray), Part::Surface(&gray), (&VEST).into(), (&matrix).into(), (&lake).into()];
-    for part in parts.into_iter().chain([(&plate).into(), (&sheet).into()]) {
+    let parts = [
+        Part::Filter(&gray),
+        Part::Surface(&gray),
+        (&VEST).into_part(),
+        (&matrix).into_part(),
+        (&lake).into_part(),
+    ];
+    for part in parts.into_iter().chain([(&plate).into_part(), (&sheet).into_part()]) {
         black_box(scene.push(part).is_ok());
     }
     let scene = black_box(scene);
@@ -92,7 +98,7 @@ fn geometry() {
     let disk = DiskSource { radius_m: c, radiance: spectral };
     let together =
         panel.irradiance(n, n) + globe.irradiance(n, n) + lamp.irradiance(n, n) + disk.irradiance(a, b);
-    black_box((together.radiant(), together.flux(a).during(b), together.sent_back().lambertian()));
+    black_box((together.radiant(), together.flux(a).during(b), together.as_exitance().lambertian()));
     black_box(SurfaceElement { position_m: p, normal: n, area_m2: a }.seen_from(q));
     black_box(SurfaceRadiance::free_space(n, |_| spectral).incident(q));
     for frame in [Frame::from_normal(n), Frame::with_tangent(n, q)].into_iter().flatten() {
@@ -155,7 +161,7 @@ fn films_and_volumes() {
         black_box((window.reflectance(cosine), window.transmittance(cosine), window.absorbed(cosine)));
         black_box(window.components(cosine, |shares| shares.transmitted));
     }
-    let skin: Burley<31> = Burley::from_mean_free_path(soap, [share; 31], SearchLight::Diffuse);
+    let skin: Burley<31> = Burley::from_mean_free_path(soap, [share; 31], BurleyFit::Diffuse);
     let milk: Dipole<31> = Dipole::new([share; 31], [nm; 31], 1.0 + share);
     black_box((skin.times_radius(share), skin.within(share), milk.profile(share), milk.reflectance()));
 }

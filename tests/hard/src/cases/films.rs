@@ -5,7 +5,7 @@ use super::textbook::cos;
 use core::f32::consts::PI;
 use nanospectra::light::D65;
 use nanospectra::math::cos_turns;
-use nanospectra::matter::{Shares, ThinFilm};
+use nanospectra::matter::{PowerShares, ThinFilm};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Observer, Reflectance};
 
@@ -65,7 +65,7 @@ static EYE: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Spline).wi
 /// XYZ of the film from its reflectance at the centers of 31 bins.
 fn points(&[d]: &[f32; 1]) -> [f32; 3] {
     let film = ThinFilm::new(SOAP, d);
-    EYE.sees(&Reflectance::<31>::at_centers(|nm| Shares::mean(film.at(nm, 1.0)).reflected))
+    EYE.sees(&Reflectance::<31>::at_centers(|nm| PowerShares::mean(film.at(nm, 1.0)).reflected))
 }
 
 /// From its mean over them.

@@ -1,6 +1,6 @@
 //! Fluorescent matter folded into the eye that looks at it.
 
-use crate::matter::{Donaldson, Dye};
+use crate::matter::{Donaldson, Dye, Foldable};
 use crate::observer::Observer;
 use crate::spectrum::Power;
 
@@ -14,7 +14,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
         let mut weights = self.0;
         let mut c = 0;
         while c < C {
-            weights[c] = dye.adjoint(&self.0[c]);
+            weights[c] = dye.transposed_in_f64(&self.0[c]);
             c += 1;
         }
         Self::unchecked(weights)
@@ -26,9 +26,17 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
         let mut weights = self.0;
         let mut c = 0;
         while c < C {
-            weights[c] = matter.adjoint(&self.0[c]);
+            weights[c] = matter.transposed_in_f64(&self.0[c]);
             c += 1;
         }
+        Self::unchecked(weights)
+    }
+
+    /// This observer turned to matter of any kind that folds, an effect of your own included. Computes in f32, at run time.
+    #[must_use]
+    pub fn looking_at_matter<M: Foldable<N, G> + ?Sized>(&self, matter: &M) -> Self {
+        let mut weights = self.0;
+        weights.iter_mut().for_each(|row| *row = matter.transposed(row));
         Self::unchecked(weights)
     }
 }
