@@ -7,7 +7,7 @@ command -v node >/dev/null || { echo "SKIPPED  the web package: node is not inst
 rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown ||
     { echo "SKIPPED  the web package: target wasm32-unknown-unknown cannot be installed"; exit 0; }
 
-for feature in core light paint scene cost bands bench; do
+for feature in core light paint scene cost bands bench lists; do
     cargo clippy --quiet --no-default-features --features "$feature" -- -D warnings
 done
 node tools/build.mjs --bench

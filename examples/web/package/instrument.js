@@ -1,4 +1,5 @@
 // What every module has: memory, a spectrum at every nanometer, the CIE's lamps.
+import { ILLUMINANTS, OBSERVERS } from './lists.js';
 import { all, three } from './numbers.js';
 import { read } from './read.js';
 import { checkReach, exactly, needsExact, sourceOf, wrong } from './samples.js';
@@ -6,7 +7,6 @@ import { checkReach, exactly, needsExact, sourceOf, wrong } from './samples.js';
 export const FIRST = 360,
   NODES = 471;
 const CAPACITY = 4096;
-export const TITLES = ['CIE 1931, 2°', 'CIE 1964, 10°', 'CIE 2015, 2°', 'CIE 2015, 10°'];
 
 /** The words for what `interpolate` and its like refuse. */
 function refusal(code) {
@@ -115,10 +115,7 @@ export class Instrument {
       throw new Error(`${place}: '${name}' is a name, and there are no lamps yet; await loadLamps() first`);
     const lamp = this.lamps.get(String(name).toUpperCase());
     if (!lamp) {
-      throw new Error(
-        `${place}: '${name}' is no CIE illuminant; use E, A, C, D50, D55, D65, D75, ID50, ID65, FL1..FL12, ` +
-          'FL3.1..FL3.15, HP1..HP5, LED-B1..LED-B5, LED-BH1, LED-RGB1, LED-V1, LED-V2 or L41',
-      );
+      throw new Error(`${place}: '${name}' is no CIE illuminant; use one of ${ILLUMINANTS}`);
     }
     this.read(lamp);
     return lamp;
@@ -133,7 +130,7 @@ export class Instrument {
   }
 
   dark(eye) {
-    return `nothing visible, Y is not above zero for ${TITLES[eye]}; check range and dark reading`;
+    return `nothing visible, Y is not above zero for ${OBSERVERS[eye][1]}; check range and dark reading`;
   }
 }
 

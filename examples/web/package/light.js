@@ -1,9 +1,10 @@
 // Every number about a light or a surface, one by one or in batches.
-import { FIRST, Instrument, NODES, TITLES, labOf } from './instrument.js';
+import { FIRST, Instrument, NODES, labOf } from './instrument.js';
+import { OBSERVERS } from './lists.js';
 import { all, double, hex, plain, single } from './numbers.js';
 import { checkReach, remarks, sourceOf, wrong } from './samples.js';
 
-const EYES = ['1931', '1964', '2015-2', '2015-10'];
+const EYES = OBSERVERS.map(([name]) => name);
 const RULES = ['linear', 'sprague'];
 const UNITS = ['relative', 'absolute'];
 /** CIE 13.3: a test light further than this from its reference has no meaningful Ra. */
@@ -45,7 +46,7 @@ export class Light extends Instrument {
    */
   get published() {
     const { tables } = this;
-    return { eye: tables[0], testColors: tables[9], samples: tables[12] };
+    return { eye: tables[0], testColors: tables[6], samples: tables[9] };
   }
 
   /**
@@ -188,7 +189,7 @@ export class Light extends Instrument {
     if (eye) {
       note(
         'observer',
-        `${TITLES[eye]} for XYZ, chromaticity, dominant wavelength and sRGB; ` +
+        `${OBSERVERS[eye][1]} for XYZ, chromaticity, dominant wavelength and sRGB; ` +
           'CCT, Duv, CRI and photometry stay with CIE 1931',
       );
     }

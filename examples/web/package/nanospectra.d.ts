@@ -1,3 +1,5 @@
+import type { Observer } from './lists.d.ts';
+
 /** A column of a file, as `parse` of nanospectra/csv gives it. */
 export interface Source {
   file: string;
@@ -22,7 +24,7 @@ export interface SpectrumOptions {
   reflectance?: boolean;
   /** What lights the surface: a CIE illuminant's name or a spectrum; D65. */
   light?: string | Samples;
-  observer?: '1931' | '1964' | '2015-2' | '2015-10';
+  observer?: Observer;
   interpolation?: 'linear' | 'sprague';
   /** `absolute` is W/m2/nm, and brings lux and PPFD. */
   unit?: 'relative' | 'absolute';

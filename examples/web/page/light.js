@@ -1,5 +1,6 @@
 // The colorimeter: a spectrum from a file, a lamp or a hand, and every number about it.
 import { parse } from './nanospectra/csv.js';
+import { OBSERVERS } from './nanospectra/lists.js';
 import { figure, h, inPage, onWidth, options, saving, say, select } from './dom.js';
 import { drawing, drawnSource, hand } from './drawing.js';
 import { prepare, show } from './reading.js';
@@ -271,12 +272,7 @@ export async function build(section) {
     view.under,
     select(
       'Observer',
-      [
-        ['1931', 'CIE 1931, 2°'],
-        ['1964', 'CIE 1964, 10°'],
-        ['2015-2', 'CIE 2015, 2°'],
-        ['2015-10', 'CIE 2015, 10°'],
-      ],
+      OBSERVERS,
       state.observer,
       change('observer'),
       'observer',

@@ -1,4 +1,5 @@
 // What all instruments share: the module that measures, and the state that the link carries.
+import { OBSERVERS } from './nanospectra/lists.js';
 import { load } from './nanospectra/nanospectra.js';
 
 /** What a link may say; whatever else it says counts for nothing. */
@@ -9,7 +10,7 @@ const POSSIBLE = {
   data: /./,
   file: /./,
   column: /^\d+$/,
-  observer: /^(1931|1964|2015-2|2015-10)$/,
+  observer: new RegExp(`^(${OBSERVERS.map(([name]) => name).join('|')})$`),
   interpolation: /^(linear|sprague)$/,
   unit: /^(relative|absolute)$/,
   kind: /^(light|surface)$/,
@@ -39,7 +40,7 @@ export const state = Object.fromEntries(
 const usual = {
   tab: 'light',
   lamp: 'LED-B3',
-  observer: '1931',
+  observer: OBSERVERS[0][0],
   interpolation: 'linear',
   unit: 'relative',
   kind: 'light',

@@ -1,7 +1,7 @@
 //! nanospectra as wasm modules: plain exports over fixed memory, no allocator, no glue code.
 //!
 //! Each feature is a module of its own (`tools/build.mjs` builds them): `light`, `paint`, `scene`, `core`, `bands`, `cost`,
-//! and `bits` for `tests/devices.sh`. JavaScript writes numbers into the buffers of [`board`], calls a function,
+//! `lists` for the build, and `bits` for `tests/devices.sh`. JavaScript writes numbers into the buffers of [`board`], calls a function,
 //! and reads numbers from a buffer; `package/nanospectra.js` is that JavaScript.
 #![no_std]
 
@@ -9,16 +9,18 @@
 mod bands;
 #[cfg(feature = "bits")]
 mod bit_check;
-#[cfg(not(any(feature = "bits", feature = "bands")))]
+#[cfg(not(any(feature = "bits", feature = "bands", feature = "lists")))]
 mod board;
 #[cfg(feature = "cost")]
 mod cost;
 #[cfg(any(feature = "paint", feature = "scene"))]
 mod display;
-#[cfg(not(feature = "bits"))]
+#[cfg(not(any(feature = "bits", feature = "lists")))]
 mod fixed;
 #[cfg(feature = "light")]
 mod lamp;
+#[cfg(feature = "lists")]
+mod lists;
 #[cfg(any(feature = "core", feature = "light"))]
 mod measure;
 #[cfg(any(feature = "core", feature = "paint"))]

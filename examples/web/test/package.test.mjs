@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import test, { before } from 'node:test';
 import { load } from '../dist/nanospectra/nanospectra.js';
 import { parse } from '../dist/nanospectra/csv.js';
+import { OBSERVERS } from '../dist/nanospectra/lists.js';
 import { scenes } from '../tools/scenes.mjs';
 import { toml } from '../tools/toml.mjs';
 import * as host from './host.mjs';
@@ -82,9 +83,7 @@ for (const [name, simd] of BUILDS) {
   test(`${name}: so are they by other observers, by Sprague's rule and in absolute units`, () => {
     const text = readFileSync(bundled, 'utf8');
     const options = [
-      { observer: '1964' },
-      { observer: '2015-2' },
-      { observer: '2015-10' },
+      ...OBSERVERS.map(([observer]) => ({ observer })),
       { interpolation: 'sprague' },
       { unit: 'absolute' },
     ];

@@ -10,6 +10,7 @@ import { pack } from './pack.mjs';
 import { cie1931, light } from './tables.mjs';
 import { custom, dataSection, module, sections, segments } from './wasm.mjs';
 import { lamps } from './lamps.mjs';
+import { lists, source } from './lists.mjs';
 import { scenes } from './scenes.mjs';
 
 const here = (path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
@@ -149,7 +150,9 @@ export async function build() {
   };
   writeFileSync(here('dist/page/instructions.json'), JSON.stringify(instructions()));
   writeFileSync(here('dist/page/scenes.json'), JSON.stringify(scenes()));
-  writeFileSync(here('dist/nanospectra/lamps.json'), JSON.stringify(lamps()));
+  const names = lists(compile('lists', false));
+  for (const [name, text] of Object.entries(source(names))) writeFileSync(here(`dist/nanospectra/${name}`), text);
+  writeFileSync(here('dist/nanospectra/lamps.json'), JSON.stringify(lamps(names.illuminants)));
   const packed = Object.fromEntries(Object.entries({ cie1931, light }).map(([name, list]) => [name, pack(list)]));
   for (const [name, bytes] of Object.entries(packed)) save(`${name}.tables`, bytes);
   for (const [name, tables] of Object.entries(MODULES)) {

@@ -1,8 +1,15 @@
 // The published tables that the modules hold, as numbers for package/tables.js.
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { RULES } from '../package/tables.js';
 
 const folder = new URL('../../../tables/', import.meta.url);
+
+/** The tables in a folder whose names end so. @param {string} place @param {string} end @returns {string[]} */
+export const files = (place, end) =>
+  readdirSync(new URL(place, folder))
+    .filter((file) => file.endsWith(`${end}.csv`))
+    .map((file) => `${place}/${file.slice(0, -4)}`)
+    .sort();
 
 /** @param {string} path @returns {{nm: number[], names: string[], columns: number[][]}} */
 export function read(path) {
@@ -56,7 +63,8 @@ const copy = (table, column, rows) => ({
   columns: [[table, column, rows]],
 });
 
-const eye1931 = eye('cmf/cie_1931_2deg_xyz_1nm');
+const FIRST_EYE = 'cmf/cie_1931_2deg_xyz_1nm',
+  eye1931 = eye(FIRST_EYE);
 
 /** The eye of 1931 alone. */
 export const cie1931 = [eye1931];
@@ -65,13 +73,12 @@ export const cie1931 = [eye1931];
 export const light = [
   eye1931,
   copy(0, 1, 471),
-  eye('cmf/cie_1964_10deg_xyz_1nm'),
-  eye('cmf/cie_2015_2deg_xyz_1nm'),
-  eye('cmf/cie_2015_10deg_xyz_1nm'),
   eye('cmf/alpha_opic_s026_1nm'),
   ...daylight(),
   test('samples/cri_tcs14_5nm', 'samples/cri_tcs15_5nm'),
-  { rule: RULES.lights, before: 0, behind: 0, columns: [[0, 9]] },
-  { rule: RULES.daylight, before: 0, behind: 0, columns: [[0, 9, 6, 7, 8]] },
+  { rule: RULES.lights, before: 0, behind: 0, columns: [[0, 6]] },
+  { rule: RULES.daylight, before: 0, behind: 0, columns: [[0, 6, 3, 4, 5]] },
   samples('samples/cie224_ces99_1nm'),
+  // The other observers, as many as there are.
+  ...files('cmf', '_xyz_1nm').filter((file) => file !== FIRST_EYE).map(eye),
 ];

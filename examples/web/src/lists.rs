@@ -1,0 +1,27 @@
+//! The names that the library lists, which `tools/lists.mjs` makes JavaScript of; not in the package.
+
+use nanospectra::{light, observer};
+
+/// Item `index` of a list: names of illuminants, those for a message (one item), names of observers, their titles.
+/// Empty behind the last.
+fn item(list: u32, index: u32) -> &'static str {
+    let index = index as usize;
+    let observer = observer::NAMED.get(index);
+    let item = match list {
+        0 => light::NAMES.get(index).copied(),
+        1 => (index == 0).then_some(light::NAMES_IN_BRIEF),
+        2 => observer.map(|observer| observer.name),
+        _ => observer.map(|observer| observer.title),
+    };
+    item.unwrap_or("")
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn text(list: u32, index: u32) -> *const u8 {
+    item(list, index).as_ptr()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn length(list: u32, index: u32) -> usize {
+    item(list, index).len()
+}
