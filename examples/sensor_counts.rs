@@ -28,9 +28,10 @@ const COUNTS: [u16; 8] = [416, 3675, 2876, 4434, 6022, 6825, 6864, 3069];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (counts, lux) = KNOWN;
-    let factor = lux / Meter::new(&EXPOSURE, &TO_XYZ).xyz(&counts)?.y;
+    let meter = Meter::new(&EXPOSURE, &TO_XYZ);
+    let factor = lux / meter.xyz(&counts)?.y;
     println!("calibration: scale Y by {factor}");
-    let meter = Meter::new(&EXPOSURE, &TO_XYZ.scaled(factor));
+    let meter = meter.scaled(factor);
 
     let xyz = meter.xyz(&COUNTS)?;
     let (cct_k, duv) = xyz.cct().and_then(Cct::near).ok_or("this light is not white")?;

@@ -10,7 +10,7 @@
 
 use as7341::{As7341, Gain};
 use nanospectra::color::{Cct, Xyz};
-use nanospectra::sensor::{ReadingError, chip::as7341};
+use nanospectra::sensor::{ReadingError, chip};
 use nanospectra_firmware::bits;
 use nanospectra_firmware::mock_bus::{As7341Registers, NoDelay};
 use nanospectra_firmware::pipeline::{Color, TO_XYZ, measure};
@@ -167,5 +167,5 @@ fn driver(checks: &mut Checks) {
     );
     let (bus, _) = chip.destroy();
     let (atime, astep) = (bus.register(0x81), u16::from_le_bytes([bus.register(0xca), bus.register(0xcb)]));
-    checks.that("in the exposure of the recording", as7341::exposure(16.0, atime, astep) == EXPOSURE);
+    checks.that("in the exposure of the recording", chip::as7341::exposure(16.0, atime, astep) == EXPOSURE);
 }

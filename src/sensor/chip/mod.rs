@@ -13,7 +13,7 @@
 //! | `CHIP` | all of this as a [`Chip`], for programs that let their users choose |
 //!
 //! A name is missing where the chip has no such thing, or its maker publishes nothing to make it from. What a program
-//! does not name is not in its image.
+//! does not name is not in its image. Beside a driver crate of the same name, import `chip` and write `chip::as7341`.
 //!
 //! ```
 //! use nanospectra::sensor::AutoExposure;
@@ -58,7 +58,7 @@ pub mod as7343;
 pub mod opt4048;
 pub mod tcs3472;
 
-/// All chips of this module.
+/// All chips of this module. (A program that uses this list holds the 1 nm tables of all of them, 100 KB.)
 pub static ALL: [&Chip; 6] =
     [&as7341::CHIP, &as7343::CHIP, &as7262::CHIP, &as7265x::CHIP, &tcs3472::CHIP, &opt4048::CHIP];
 
