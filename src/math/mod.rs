@@ -14,6 +14,7 @@ mod libm;
 mod limits;
 #[cfg(feature = "micromath")]
 mod micromath;
+mod operators;
 mod roots;
 
 #[cfg(all(feature = "std", not(target_os = "none")))]
@@ -27,6 +28,7 @@ pub use complex::Complex;
 pub(crate) use double::Double;
 pub use fast::Fast;
 pub(crate) use limits::{at_least, at_most};
+pub(crate) use operators::{assigning_operator, linear_operators, operator};
 pub(crate) use roots::sqrt_by_digits;
 pub use roots::{cbrt, sqrt};
 pub use turns::{cos as cos_turns, sin as sin_turns};
