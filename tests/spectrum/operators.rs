@@ -4,7 +4,7 @@ use nanospectra::color::{Rgb, Srgb, Xyz};
 use nanospectra::geometry::Integrand;
 use nanospectra::math::{Fast, Math};
 use nanospectra::radiometry::{Carried, Irradiance, Luminous, PerSr, Radiance, Radiant};
-use nanospectra::{Factor, Index, Light, Power, Reflectance, Spectrum};
+use nanospectra::{Factor, Light, Power, Reflectance, RefractiveIndex, Spectrum};
 use proptest::prelude::*;
 
 type Seven<Q> = Spectrum<Q, 7>;
@@ -119,7 +119,7 @@ proptest! {
 
 #[test]
 fn nothing_is_the_default() {
-    assert_eq!(Seven::<Index>::default(), Seven::flat(0.0));
+    assert_eq!(Seven::<RefractiveIndex>::default(), Seven::flat(0.0));
     assert_eq!(Irradiance::<Light<7>>::default(), Irradiance::NONE);
     assert_eq!([].iter().sum::<Reflectance<7>>(), Reflectance::flat(0.0));
     assert_eq!([].iter().sum::<Xyz>(), Xyz::new(0.0, 0.0, 0.0));
