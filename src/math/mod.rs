@@ -7,6 +7,7 @@
 
 mod backend;
 mod complex;
+mod const_for;
 mod double;
 mod fast;
 #[cfg(feature = "libm")]
@@ -25,6 +26,7 @@ mod vsqrt;
 
 pub use backend::Math;
 pub use complex::Complex;
+pub(crate) use const_for::const_for;
 pub(crate) use double::Double;
 pub use fast::Fast;
 pub(crate) use limits::{at_least, at_most};
