@@ -66,28 +66,11 @@
 //!
 //! # What does not compile
 //!
-//! The compiler's messages say what to write instead; here it stands in the comments. Polarization:
+//! The compiler's messages say what to write instead. Here this stands in the comments:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, matter::Mirror};
 //! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarized().onto(lake)
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Light, Observer, Power};
-//! fn seen(eye: &Observer<3, 31, Power>, sun: &Light<31>) { eye.sees(sun.polarized()); } // .ignoring_polarization()
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Light, matter::Dye, matter::Polarizer};
-//! fn seen(sun: &Light<31>, sheet: &Polarizer<31>, wine: &Dye<31>) {
-//!     let _ = sun.polarized().through(sheet).through(wine); // .ignoring_polarization().through(wine)
-//! }
-//! ```
-//!
-//! Fluorescent matter without the light that excites it, or folded in after it:
-//!
-//! ```compile_fail,E0277
-//! # use nanospectra::{Observer, matter::Dye};
-//! fn seen(eye: &Observer<3, 31>, vest: &Dye<31>) { eye.sees(vest); } // eye.looking_at_dye(vest).under(&lamp)
 //! ```
 //! ```compile_fail,E0599
 //! # use nanospectra::{Light, Observer, Power, matter::Dye};
@@ -95,20 +78,9 @@
 //!     eye.under(lamp).looking_at_dye(vest); // eye.looking_at_dye(vest).under(lamp)
 //! }
 //! ```
-//!
-//! Two grids in one path, light where matter should be, and in a [`Scene`] a spectrum that may be a filter or a surface:
-//!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Bins, Light, Reflectance};
 //! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) { let _ = sun.through(glass); } // resample()
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::Light;
-//! fn seen(sun: &Light<31>, lamp: &Light<31>) { let _ = sun.onto(lamp); } // a reflectance
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Reflectance, path::Scene};
-//! fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) { let _ = scene.push(glass); } // Part::Filter
 //! ```
 
 mod effect;

@@ -87,14 +87,7 @@ on_its_way! { [P] Stokes<P>, |path| Stokes(path) }
 
 /// Unpolarized light as Stokes vectors: I, 0, 0, 0.
 #[derive(Clone, Copy, Debug)]
-pub struct Natural<P>(P);
-
-impl<P> Natural<P> {
-    #[inline]
-    pub(super) const fn new(path: P) -> Self {
-        Natural(path)
-    }
-}
+pub struct Natural<P>(pub(super) P);
 
 impl<P: Priced> Priced for Natural<P> {
     const PRICE: Price = P::PRICE.plus(Price { effects: Effects::POLARIZATION, ..Price::NONE });

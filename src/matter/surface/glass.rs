@@ -19,8 +19,8 @@ pub trait Glass {
         Some(indices)
     }
 
-    /// Abbe's number (n_d - 1) / (n_F - n_C): large for a glass that disperses little; `None` for one that does
-    /// not disperse at all, or has no index at one of these lines.
+    /// Abbe's number (n_d - 1) / (n_F - n_C): large for a glass that disperses little; `None` for one that does not
+    /// disperse or has no index at one of these lines.
     ///
     /// # Accuracy
     /// 1e-5 relative for glasses of numbers up to 70: the difference of two indices in f32.
@@ -39,12 +39,10 @@ pub trait Glass {
 
 /// Sellmeier's formula: n^2 = 1 + sum of `b` l^2 / (l^2 - `c`), with l in um and `c` in um^2.
 ///
-/// The formula knows nothing of the range in which it was fitted: outside the one that a glass quotes an index is only
-/// what the formula gives, up to the resonances, where it can be anything above 0.
+/// Outside the range that a glass quotes an index is only what the formula gives: at a resonance anything above 0.
 ///
 /// # Accuracy
-/// 1.2e-7 relative, of what the coefficients say, within the quoted ranges from 380 to 1000 nm; towards a resonance it
-/// loses all digits.
+/// 1.2e-7 relative within the quoted ranges from 380 to 1000 nm; towards a resonance it loses all digits.
 ///
 /// ```
 /// # use nanospectra::matter::{Glass, N_BK7};
