@@ -22,8 +22,9 @@ pub trait Surface<L> {
     fn reflect(self, light: L) -> Self::Leaving;
 }
 
-/// What light can go through: transmittances (`&Reflectance`, any [`Factor`]), [`Polarizer`](crate::matter::Polarizer)s,
-/// [`Retarder`](crate::matter::Retarder)s and every [`Effect`](crate::matter::Effect).
+/// What light can go through: transmittances (`&Reflectance`, any [`Factor`]),
+/// [`Polarizer`](crate::matter::Polarizer)s, [`Retarder`](crate::matter::Retarder)s and every
+/// [`Effect`](crate::matter::Effect).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no filter that `{L}` can go through",
     label = "no filter for this light",

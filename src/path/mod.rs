@@ -12,13 +12,11 @@
 //! ```
 //!
 //! The stages are references, and nothing is computed until an observer looks: then one pass over the bins evaluates
-//! the whole path. What the light carries and what happens to it are types, so an effect that is not written costs
-//! nothing. What an observer can look at is a [`Stimulus`](crate::observer::Stimulus):
+//! the whole path. An effect that is not written costs nothing.
 //!
 //! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
-//!   it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix or a
-//!   [`Phosphor`](crate::matter::Phosphor) moves it between bins. So does an [`Effect`](crate::matter::Effect) of your
-//!   own, which takes one function and goes into the path as `light.onto(Own::new(&ink))`.
+//!   it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix, a
+//!   [`Phosphor`](crate::matter::Phosphor) or an [`Effect`](crate::matter::Effect) of your own moves it between bins.
 //! * [`Stokes`] light, from `polarized()` on, has four numbers for each bin, which [`Mirror`](crate::matter::Mirror)s,
 //!   [`Polarizer`](crate::matter::Polarizer)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
 //!   it plain again; so does `ignoring_polarization()`, for an eye or by choice.
@@ -26,8 +24,7 @@
 //! * A [`Scene`] is a path that is put together at run time. It says what its parts cost and which of them hardly show.
 //!
 //! The price of a path is known while compiling ([`Priced`]). A path that stays the same folds into the eye in `const
-//! fn`, from the eye backwards, fluorescence and polarization included; then looking along it costs no more than
-//! looking at a lamp:
+//! fn`, from the eye backwards; then looking along it costs no more than looking at a lamp:
 //!
 //! ```
 //! use nanospectra::matter::{Dye, Mirror, Polarizer};

@@ -208,10 +208,10 @@ impl Conductor {
         Components { s: rest(s, entering.s), p: rest(s * crossed, entering.p) }
     }
 
-    /// The shares of power that enter, and are absorbed, by formulas that hold where 1 - R is all rounding, as for silver.
+    /// The shares of power that enter and are absorbed, by formulas that hold where 1 - R is all rounding (silver).
     ///
     /// # Accuracy
-    /// 12 units of 2^-24, relative; hundreds near a critical angle (n < 1, k below 0.01), by the rounding of the cosine.
+    /// 12 units of 2^-24, relative; by the cosine's rounding hundreds near a critical angle (n < 1, k below 0.01).
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         let Metal { cosine, sine2, scale, contrast, root } = Metal::of(self, cos_i);

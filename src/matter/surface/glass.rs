@@ -84,9 +84,13 @@ pub const FUSED_SILICA: Sellmeier =
 
 impl Glass for Sellmeier {
     fn index(&self, nm: f32) -> Option<f32> {
-        let square = (nm * 1e-3) * (nm * 1e-3);
-        let terms = self.b.iter().zip(&self.c).map(|(b, c)| b * (square / (square - c)));
-        positive_root(nm, 1.0 + terms.sum::<f32>())
+        if nm.is_nan() {
+            return Some(nm);
+        }
+        let um2 = (nm * 1e-3) * (nm * 1e-3);
+        let terms = self.b.iter().zip(&self.c).map(|(b, c)| b * (um2 / (um2 - c)));
+        let square = 1.0 + terms.sum::<f32>();
+        (nm > 0.0 && square > 0.0 && square < f32::INFINITY).then(|| sqrt(square))
     }
 }
 
@@ -113,12 +117,4 @@ impl Glass for Cauchy {
         let index = self.a + inverse * (self.b + inverse * self.c);
         if nm > 0.0 && (index <= 0.0 || !index.is_finite()) || nm <= 0.0 { None } else { Some(index) }
     }
-}
-
-/// The index of this square; NaN for the wavelength NaN.
-fn positive_root(nm: f32, square: f32) -> Option<f32> {
-    if nm.is_nan() {
-        return Some(nm);
-    }
-    (nm > 0.0 && square > 0.0 && square < f32::INFINITY).then(|| sqrt(square))
 }

@@ -10,10 +10,10 @@ use core::ops::Mul;
 /// Every [`Hemisphere`] rule is one for every BRDF, [`VisibleNormals`](crate::matter::VisibleNormals) the one for
 /// glossy microfacets, [`Specular`](crate::matter::Specular) the one for mirrors, which have one direction only.
 pub trait Quadrature<B: Brdf> {
-    /// Calls `visit` with directions `wi` and f(wo, wi) times their projected solid angle, the share that goes on to `wo`.
+    /// Calls `visit` with directions `wi` and f(wo, wi) times their projected solid angle: the share that goes to `wo`.
     fn arriving(&self, brdf: &B, wo: Direction, visit: impl FnMut(Direction, B::Value));
 
-    /// Calls `visit` with directions `wo` and f(wo, wi) times their projected solid angle, the share of `wi` that goes there.
+    /// Calls `visit` with directions `wo` and f(wo, wi) times their projected solid angle: the share from `wi`.
     fn leaving(&self, brdf: &B, wi: Direction, visit: impl FnMut(Direction, B::Value));
 }
 

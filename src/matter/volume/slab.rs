@@ -49,7 +49,7 @@ pub struct Slab<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Slab<N, G> {
-    /// From the external transmittance, faces included, that a spectrometer measures at right angles; `thickness_m` > 0.
+    /// From the external transmittance (faces included) that a spectrometer measures at right angles; `thickness_m` > 0.
     ///
     /// # Errors
     /// As [`internal_transmittance`], and a thickness that is not finite and above zero.
@@ -103,7 +103,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
         self.mean::<M>(cos_theta, |shares| shares.transmitted)
     }
 
-    /// The share of unpolarized light that heats the slab, 0..=1, by a formula that holds where 1 - R - T is all rounding.
+    /// The share of unpolarized light that heats the slab, 0..=1; it holds where 1 - R - T is all rounding.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn absorbed(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {

@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 
 /// An observer behind matter that polarizes: for each channel and bin one weight for each of I, Q, U and V.
 ///
-/// From [`Observer::polarized`] back along the path, to the point where the light is unpolarized:
+/// It leads from [`Observer::polarized`] back along the path to where the light is unpolarized: there
 /// [`unpolarized_light`](Self::unpolarized_light) makes it an [`Observer`] again, and polarization costs nothing.
 pub struct PolarizedObserver<const C: usize, const N: usize, Q = Factor, G = Bins<380, 730>>(
     [[[f32; 4]; N]; C],
