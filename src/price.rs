@@ -15,7 +15,6 @@ impl Effects {
     /// Light that oscillates more in one direction than in another, followed as Stokes vectors.
     pub const POLARIZATION: Effects = Effects(4);
 
-    /// What a tool would call them, in the order of the constants.
     const NAMES: [(Effects, &str); 3] = [
         (Effects::FLUORESCENCE, "fluorescence"),
         (Effects::PHOSPHORESCENCE, "phosphorescence"),
@@ -78,8 +77,8 @@ impl core::fmt::Display for Effects {
 pub struct Price {
     /// The effects that are in it.
     pub effects: Effects,
-    /// Multiplications (most with an addition) for evaluating all bins once; at most: what does not reach the eye
-    /// the compiler leaves out. An observer of `C` channels adds `C * N` of its own.
+    /// Multiplications (most with an addition) for evaluating all bins once, at most: the compiler leaves out what does
+    /// not reach the eye. An observer of `C` channels adds `C * N` of its own.
     pub multiply_adds: usize,
     /// Bytes of the numbers that its stages hold, in flash or in RAM.
     pub bytes: usize,
@@ -124,8 +123,7 @@ impl Price {
     }
 }
 
-/// What has a price that is known while compiling: light on its way, and matter. A spectrum has the price of a light; as a
-/// filter or a surface it costs [`Price::factor`].
+/// What has a price that is known while compiling: light on its way, and matter. A spectrum has the price of a light.
 ///
 /// ```
 /// use nanospectra::path::{Plain, Priced, Times};

@@ -26,7 +26,7 @@ impl Direction {
     /// Along the normal: the zenith.
     pub const NORMAL: Direction = Direction { x: 0.0, y: 0.0, z: 1.0 };
 
-    /// The direction of a vector of any length; `None` for no length, and for what is not finite.
+    /// The direction of a vector of any length but 0; `None` for that, and for what is not finite.
     #[must_use]
     pub fn from_vector(vector: [f32; 3]) -> Option<Self> {
         let size =
@@ -52,8 +52,7 @@ impl Direction {
         Direction { x: sine * cos_turns(phi), y: sine * sin_turns(phi), z: cos_turns(theta) }
     }
 
-    /// From the cosine of the zenith angle, -1..=1 (what is outside counts as the nearer end), and the azimuth in
-    /// turns.
+    /// From the cosine of the zenith angle, -1..=1 (outside: the nearer end), and the azimuth in turns.
     #[must_use]
     pub fn from_cosine(cos_theta: f32, phi_turns: f32) -> Self {
         let cos_theta = if cos_theta.abs() > 1.0 { 1.0f32.copysign(cos_theta) } else { cos_theta };
@@ -159,17 +158,14 @@ impl Direction {
         Self::from_vector([self.x + other.x, self.y + other.y, self.z + other.z])
     }
 
-    /// Where light goes that comes from here and is refracted at the surface: Snell's law.
+    /// Where light goes that comes from here and is refracted at the surface: Snell's law. For its radiance see
+    /// [`Dielectric::entering`](crate::matter::Dielectric::entering).
     ///
     /// `eta` is the index of the far side over that of this side. `None` where all light is reflected, and for no
     /// index or a negative one. A glass that disperses has one direction for each wavelength: they do not average.
     ///
-    /// Radiance goes along with a factor: in the second medium it is eta^2 times the share
-    /// [that enters](crate::matter::Dielectric::entering).
-    ///
     /// # Accuracy
-    /// 4e-7 absolute while the refracted angle is below 45 degrees; towards grazing what the rounding of the
-    /// direction costs.
+    /// 4e-7 absolute while the refracted angle is below 45 degrees; towards grazing the direction's rounding adds.
     ///
     /// ```
     /// # use nanospectra::geometry::Direction;

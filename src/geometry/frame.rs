@@ -3,9 +3,8 @@
 use crate::geometry::Direction;
 use crate::geometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 
-/// The frame of a surface in the world: three axes at right angles, z along the normal, x and y in the surface.
-///
-/// Positions and vectors of the world are `[f32; 3]`; a [`Direction`] is in this frame, with its zenith at the normal.
+/// The frame of a surface in the world, right-handed: z is along the normal, x and y in the surface. Positions and
+/// vectors of the world are `[f32; 3]`; a [`Direction`] is in this frame, with its zenith at the normal.
 ///
 /// ```
 /// use nanospectra::matter::{Brdf, Conductor, Microfacet, TrowbridgeReitz};
@@ -40,11 +39,10 @@ pub struct Frame {
 const LEAST_ANGLE: f32 = 1e-5;
 
 impl Frame {
-    /// A frame around a normal of any length; `None` for no length, and for what is not finite.
+    /// A frame around a normal of any length but 0; `None` for that, and for what is not finite.
     ///
-    /// How x and y are turned about the normal is arbitrary: continuous on each half of the world, above and below
-    /// z = 0, with a seam between. It matters only to surfaces that are brushed or woven: see
-    /// [`with_tangent`](Self::with_tangent).
+    /// How x and y are turned about the normal is arbitrary, with a seam between normals above and below z = 0. It
+    /// matters only to surfaces that are brushed or woven: see [`with_tangent`](Self::with_tangent).
     ///
     /// # Reference
     /// T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
@@ -64,11 +62,8 @@ impl Frame {
         Self::around(normal, [1.0 + sign * (x * a), sign * (y * a), -sign * x])
     }
 
-    /// A frame around a normal with x along what a tangent, both of any length, has in the surface: the way a metal
-    /// is brushed.
-    ///
-    /// `None` if one of them has no length or is not finite, or where the tangent is along the normal (within
-    /// 1e-5 rad).
+    /// A frame around a normal with x along what a tangent has in the surface: the way a metal is brushed. `None` if
+    /// one of them has no length or is not finite, or where the tangent is along the normal (within 1e-5 rad).
     ///
     /// ```
     /// # use nanospectra::geometry::Frame;
@@ -93,7 +88,7 @@ impl Frame {
         Some(Frame { axes: [tangent, axis(cross(normal, tangent))?, normal] })
     }
 
-    /// x, y and z (the normal) of the surface, as unit vectors of the world; right-handed.
+    /// x, y and z (the normal) of the surface, as unit vectors of the world.
     #[must_use]
     pub const fn axes(self) -> [[f32; 3]; 3] {
         self.axes

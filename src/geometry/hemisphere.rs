@@ -16,9 +16,8 @@ pub struct Node {
     pub projected_sr: f32,
 }
 
-/// A rule that divides the hemisphere into pieces: [`Uniform`], [`Cosine`], [`GaussLegendre`].
-///
-/// `MU` rings, each of `PHI` pieces at equal azimuths. No rule has a node on the horizon or the zenith.
+/// A rule that divides the hemisphere into pieces, as [`Uniform`], [`Cosine`] and [`GaussLegendre`] do into `MU` rings
+/// of `PHI` pieces at equal azimuths. None of them has a node on the horizon or the zenith.
 ///
 /// ```
 /// # use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};

@@ -9,9 +9,8 @@ use core::array::from_ref;
 /// Matter that moves light from one bin to another, which a factor for each bin cannot express. What leaves it counts
 /// as unpolarized.
 ///
-/// This one function is what [paths](crate::path) and scenes evaluate. [`Dye`](crate::matter::Dye),
-/// [`Donaldson`](crate::matter::Donaldson) and [`Phosphor`](crate::matter::Phosphor) stand in a path by themselves,
-/// an effect of your own does in [`Own`](crate::path::Own):
+/// [`Dye`](crate::matter::Dye), [`Donaldson`](crate::matter::Donaldson) and [`Phosphor`](crate::matter::Phosphor)
+/// stand in a [path](crate::path) by themselves, an effect of your own does in [`Own`](crate::path::Own):
 ///
 /// ```
 /// use nanospectra::matter::{Dye, Effect};
@@ -49,7 +48,7 @@ pub trait Effect<const N: usize, G = Bins<380, 730>> {
 }
 
 /// An [`Effect`] that emits one spectrum, however it was excited: what leaves each bin needs the light of that bin and
-/// one number, the glow. So a path works it out bin by bin, and stores nothing.
+/// one number, the glow. So a path works it out bin by bin.
 pub trait Glows<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// The factor by which the emission is multiplied, under this light.
     fn glow_in(&self, light: &Spectrum<Power, N, G>) -> f32;
@@ -85,10 +84,7 @@ pub(super) fn glowing<const N: usize, G>(
 )]
 pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// The weights that light has before it meets the matter, for an eye that gives these weights to what leaves: the
-    /// transpose of [`leaving`](Effect::leaving).
-    ///
-    /// # Cost
-    /// As it stands `N` times that of [`leaving`](Effect::leaving).
+    /// transpose of [`leaving`](Effect::leaving), as it stands at `N` times its cost.
     fn transposed(&self, weights: &[f32; N]) -> [f32; N] {
         let mut before = [0.0; N];
         for (k, before) in before.iter_mut().enumerate() {

@@ -9,8 +9,7 @@ use crate::path::{
 use crate::spectrum::{Power, Spectrum};
 use core::marker::PhantomData;
 
-/// Light that can make matter glow: power on the grid of the matter. Glowing matter emits unpolarized light, and a
-/// surface that glows scatters what it reflects.
+/// Light that can make matter glow: power on the grid of the matter. What leaves the matter counts as unpolarized.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot make matter fluoresce",
     label = "no light of `Power` in {N} bins of `{G}`",
@@ -113,9 +112,8 @@ impl<L, M, const N: usize, G> Stimulus<Power, N, G> for Affected<L, M, N, G> {
     }
 }
 
-/// An [`Effect`] of your own as a part of a path, for light to fall on or to go through: `sun.onto(Own::new(&ink))`.
-///
-/// If the matter has a price ([`Priced`]), the path has one.
+/// An [`Effect`] of your own as a part of a path, for light to fall on or to go through: `sun.onto(Own::new(&ink))`. If
+/// the matter has a price ([`Priced`]), the path has one.
 pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(&'m M, PhantomData<G>);
 
 impl<'m, M: Effect<N, G> + ?Sized, const N: usize, G> Own<'m, M, N, G> {
@@ -154,8 +152,8 @@ where
     }
 }
 
-/// Matter of this crate stands in a path by itself. (An implementation for all `&M` would leave the compiler in doubt
-/// which one a spectrum was meant for, and its messages would lose what they say about grids.)
+/// Matter of this crate stands in a path by itself. (Were it implemented for all `&M`, the compiler's messages about
+/// spectra would no longer name grids.)
 macro_rules! by_themselves {
     ($([$($generics:tt)*] $matter:ty => $leaving:ident $(, $more:ident)*;)*) => {$(
         impl<'m, L: Excites<N, G>, $($generics)*> Surface<L> for &'m $matter {

@@ -4,11 +4,8 @@ use crate::observer::Stimulus;
 use crate::path::{Plain, Times};
 use crate::spectrum::{Factor, Spectrum};
 
-/// What light can fall on: a surface that sends some of it back.
-///
-/// A reflectance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
-/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Phosphor`](crate::matter::Phosphor), a
-/// [`Mirror`](crate::matter::Mirror); an effect of your own in [`Own`](crate::path::Own).
+/// What light can fall on: a surface that sends some of it back. Among them are reflectances (`&Reflectance`, any
+/// [`Factor`]), [`Mirror`](crate::matter::Mirror)s and every [`Effect`](crate::matter::Effect).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no surface that `{L}` can fall on",
     label = "no surface for this light",
@@ -25,12 +22,9 @@ pub trait Surface<L> {
     fn reflect(self, light: L) -> Self::Leaving;
 }
 
-/// What light can go through.
-///
-/// A transmittance (`&Reflectance`, any [`Factor`]), a [`Dye`](crate::matter::Dye), a
-/// [`Donaldson`](crate::matter::Donaldson) matrix, a [`Phosphor`](crate::matter::Phosphor), a
-/// [`Polarizer`](crate::matter::Polarizer), a [`Retarder`](crate::matter::Retarder); an effect of your own in
-/// [`Own`](crate::path::Own).
+/// What light can go through: transmittances (`&Reflectance`, any [`Factor`]),
+/// [`Polarizer`](crate::matter::Polarizer)s, [`Retarder`](crate::matter::Retarder)s and every
+/// [`Effect`](crate::matter::Effect).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no filter that `{L}` can go through",
     label = "no filter for this light",
@@ -53,15 +47,15 @@ impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'
 
     #[inline]
     fn reflect(self, light: Plain<Q, P>) -> Self::Leaving {
-        Plain::new(Times::new(light.into_inner(), self))
+        Plain::new(Times { light: light.into_inner(), factors: self })
     }
 }
 
 impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
-    type Leaving = Plain<Q, Times<P, &'m Spectrum<Factor, N, G>>>;
+    type Leaving = <Self as Surface<Plain<Q, P>>>::Leaving;
 
     #[inline]
     fn transmit(self, light: Plain<Q, P>) -> Self::Leaving {
-        Plain::new(Times::new(light.into_inner(), self))
+        self.reflect(light)
     }
 }

@@ -12,13 +12,11 @@
 //! ```
 //!
 //! The stages are references, and nothing is computed until an observer looks: then one pass over the bins evaluates
-//! the whole path. What the light carries and what happens to it are types, so an effect that is not written costs
-//! nothing. What an observer can look at is a [`Stimulus`](crate::observer::Stimulus):
+//! the whole path. An effect that is not written costs nothing.
 //!
 //! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
-//!   it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix or a
-//!   [`Phosphor`](crate::matter::Phosphor) moves it between bins. So does an [`Effect`](crate::matter::Effect) of your
-//!   own, which takes one function and goes into the path as `light.onto(Own::new(&ink))`.
+//!   it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix, a
+//!   [`Phosphor`](crate::matter::Phosphor) or an [`Effect`](crate::matter::Effect) of your own moves it between bins.
 //! * [`Stokes`] light, from `polarized()` on, has four numbers for each bin, which [`Mirror`](crate::matter::Mirror)s,
 //!   [`Polarizer`](crate::matter::Polarizer)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
 //!   it plain again; so does `ignoring_polarization()`, for an eye or by choice.
@@ -26,8 +24,7 @@
 //! * A [`Scene`] is a path that is put together at run time. It says what its parts cost and which of them hardly show.
 //!
 //! The price of a path is known while compiling ([`Priced`]). A path that stays the same folds into the eye in `const
-//! fn`, from the eye backwards, fluorescence and polarization included; then looking along it costs no more than
-//! looking at a lamp:
+//! fn`, from the eye backwards; then looking along it costs no more than looking at a lamp:
 //!
 //! ```
 //! use nanospectra::matter::{Dye, Mirror, Polarizer};
@@ -66,28 +63,11 @@
 //!
 //! # What does not compile
 //!
-//! The compiler's messages say what to write instead; here it stands in the comments. Polarization:
+//! The compiler's messages say what to write instead. Here this stands in the comments:
 //!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, matter::Mirror};
 //! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarized().onto(lake)
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Light, Observer, Power};
-//! fn seen(eye: &Observer<3, 31, Power>, sun: &Light<31>) { eye.sees(sun.polarized()); } // .ignoring_polarization()
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Light, matter::Dye, matter::Polarizer};
-//! fn seen(sun: &Light<31>, sheet: &Polarizer<31>, wine: &Dye<31>) {
-//!     let _ = sun.polarized().through(sheet).through(wine); // .ignoring_polarization().through(wine)
-//! }
-//! ```
-//!
-//! Fluorescent matter without the light that excites it, or folded in after it:
-//!
-//! ```compile_fail,E0277
-//! # use nanospectra::{Observer, matter::Dye};
-//! fn seen(eye: &Observer<3, 31>, vest: &Dye<31>) { eye.sees(vest); } // eye.looking_at_dye(vest).under(&lamp)
 //! ```
 //! ```compile_fail,E0599
 //! # use nanospectra::{Light, Observer, Power, matter::Dye};
@@ -95,20 +75,9 @@
 //!     eye.under(lamp).looking_at_dye(vest); // eye.looking_at_dye(vest).under(lamp)
 //! }
 //! ```
-//!
-//! Two grids in one path, light where matter should be, and in a [`Scene`] a spectrum that may be a filter or a surface:
-//!
 //! ```compile_fail,E0277
 //! # use nanospectra::{Bins, Light, Reflectance};
 //! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) { let _ = sun.through(glass); } // resample()
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::Light;
-//! fn seen(sun: &Light<31>, lamp: &Light<31>) { let _ = sun.onto(lamp); } // a reflectance
-//! ```
-//! ```compile_fail,E0277
-//! # use nanospectra::{Reflectance, path::Scene};
-//! fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) { let _ = scene.push(glass); } // Part::Filter
 //! ```
 
 mod effect;

@@ -47,12 +47,7 @@ macro_rules! on_its_way {
             /// ```
             /// # use nanospectra::{Light, Reflectance};
             /// # let (sun, paper) = (Light::<31>::flat(1.0), Reflectance::flat(0.8));
-            /// let path = sun.onto(&paper).within::<31>();
-            /// ```
-            /// ```compile_fail,E0080
-            /// # use nanospectra::{Light, Reflectance};
-            /// # let (sun, paper) = (Light::<31>::flat(1.0), Reflectance::flat(0.8));
-            /// let path = sun.onto(&paper).within::<30>();
+            /// let path = sun.onto(&paper).within::<31>(); // within::<30>() does not compile
             /// ```
             #[must_use]
             #[inline]

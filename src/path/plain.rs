@@ -14,15 +14,8 @@ impl<Q, const N: usize, G> Priced for Spectrum<Q, N, G> {
 /// Light `L` dimmed by the factors `F` of a filter or surface; worked out when it is read.
 #[derive(Clone, Copy, Debug)]
 pub struct Times<L, F> {
-    light: L,
-    factors: F,
-}
-
-impl<L, F> Times<L, F> {
-    #[inline]
-    pub(super) const fn new(light: L, factors: F) -> Self {
-        Times { light, factors }
-    }
+    pub(super) light: L,
+    pub(super) factors: F,
 }
 
 impl<L: Priced, const N: usize, G> Priced for Times<L, &Spectrum<Factor, N, G>> {
@@ -39,8 +32,8 @@ impl<Q, L: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Times<L, 
 
 /// Light on its way: the quantity `Q`, by way of the stages in `P`. Nothing is worked out before it is read.
 ///
-/// `Q` is [`Power`] for a path that starts with a light. One that starts with a reflectance has `Factor`, and is for
-/// an eye that has the light folded in.
+/// `Q` is [`Power`] for a path that starts with a light, and `Factor` for one that starts with a reflectance, which is
+/// for an eye that has the light folded in.
 #[derive(Clone, Copy, Debug)]
 pub struct Plain<Q, P>(P, PhantomData<Q>);
 
@@ -63,7 +56,7 @@ impl<P> Plain<Power, P> {
     #[must_use]
     #[inline]
     pub fn polarized(self) -> Stokes<Natural<P>> {
-        Stokes::new(Natural::new(self.0))
+        Stokes::new(Natural(self.0))
     }
 }
 
@@ -100,6 +93,6 @@ impl<const N: usize, G> Spectrum<Power, N, G> {
     #[must_use]
     #[inline]
     pub fn polarized(&self) -> Stokes<Natural<&Self>> {
-        Stokes::new(Natural::new(self))
+        Stokes::new(Natural(self))
     }
 }

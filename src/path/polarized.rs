@@ -49,13 +49,12 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
     }
 }
 
-/// Light on its way as Stokes vectors (I, Q, U, V), by way of the stages in `P`: radiometric, in the unit of the
-/// light. Nothing is worked out before it is read, and then only what reaches the eye.
+/// Light on its way as Stokes vectors (I, Q, U, V) in the unit of the light, by way of the stages in `P`. Nothing is
+/// worked out before it is read.
 ///
 /// Directions across the beam are angles from a reference direction that the user chooses, counter-clockwise for who
-/// looks at the source, along the *unfolded* path: what follows a mirror is named as it is seen in that mirror, as in
-/// a drawing that is straightened out. Q > 0 along the reference, U > 0 at 45 degrees. So a mirror met at right
-/// angles, which has no plane of incidence, leaves all four as they are but for its reflectance.
+/// looks at the source. The path is *unfolded*: what follows a mirror is named as it is seen in that mirror. Q > 0
+/// along the reference, U > 0 at 45 degrees. So a mirror met at right angles only dims all four.
 ///
 /// # Accuracy
 /// 3e-7 of the light that meets it, for each element; I is at least the root of Q^2 + U^2 + V^2 to within that
@@ -64,8 +63,7 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
 pub struct Stokes<P>(P);
 
 impl<P> Stokes<P> {
-    /// The intensity alone: what an eye or a sensor reads, and the point from which polarization costs nothing any
-    /// more. What comes after it treats the light as unpolarized.
+    /// The intensity alone, as an eye or a sensor reads it. What comes after this treats the light as unpolarized.
     #[must_use]
     #[inline]
     pub fn ignoring_polarization(self) -> Plain<Power, IgnoringPolarization<P>> {
@@ -87,14 +85,7 @@ on_its_way! { [P] Stokes<P>, |path| Stokes(path) }
 
 /// Unpolarized light as Stokes vectors: I, 0, 0, 0.
 #[derive(Clone, Copy, Debug)]
-pub struct Natural<P>(P);
-
-impl<P> Natural<P> {
-    #[inline]
-    pub(super) const fn new(path: P) -> Self {
-        Natural(path)
-    }
-}
+pub struct Natural<P>(pub(super) P);
 
 impl<P: Priced> Priced for Natural<P> {
     const PRICE: Price = P::PRICE.plus(Price { effects: Effects::POLARIZATION, ..Price::NONE });

@@ -350,16 +350,6 @@ fn no_metal_reflects_more_than_all() {
     }
 }
 
-#[test]
-fn a_plain_eye_folds_what_polarizes_too() {
-    let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
-    let (lake, sheet) = (Mirror::dielectric(&[1.33; 31], 0.6, 0.0), Polarizer::ideal(0.1));
-    let plate = Retarder::flat(0.2, 0.3);
-    assert_eq!(eye.looking_at_mirror(&lake), eye.polarized().looking_at_mirror(&lake));
-    assert_eq!(eye.through_polarizer(&sheet), eye.polarized().through_polarizer(&sheet));
-    assert_eq!(eye.through_retarder(&plate), eye.polarized().through_retarder(&plate));
-}
-
 /// What can stand in the path of polarized light, as data.
 #[derive(Clone, Copy, Debug)]
 enum Part {

@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 38] = [
+const REFUSED: [(&str, &str, &[&str]); 40] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -226,6 +226,24 @@ const REFUSED: [(&str, &str, &[&str]); 38] = [
         "use nanospectra::Light;
         fn main() { println!(\"{:?}\", Light::<31>::flat(1.0).through(&Light::<31>::flat(1.0)).price()); }",
         &["is no filter that", "is applied once, as the start of the path"],
+    ),
+    (
+        "puts_wine_behind_a_polarizer",
+        "use nanospectra::{Light, matter::{Dye, Polarizer}};
+        fn main() {}
+        pub fn see(sun: Light<31>, sheet: Polarizer<31>, wine: Dye<31>) {
+            println!(\"{:?}\", sun.polarized().through(&sheet).through(&wine).price());
+        }",
+        &["is no filter that", "`.ignoring_polarization()` before `.through(&dye)`"],
+    ),
+    (
+        "pushes_bare_glass_into_a_scene",
+        "use nanospectra::{Reflectance, path::Scene};
+        fn main() {}
+        pub fn build<'a>(scene: &mut Scene<'a, 31, 4>, glass: &'a Reflectance<31>) {
+            println!(\"{:?}\", scene.push(glass));
+        }",
+        &["does not say what it is in a scene", "write `Part::Filter(&glass)` or `Part::Surface(&paper)`"],
     ),
     (
         "shows_a_lit_paper_to_a_folded_eye",

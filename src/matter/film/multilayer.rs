@@ -10,7 +10,7 @@ use crate::matter::film::shares::bins;
 use crate::matter::film::thin_film::held;
 use crate::spectrum::{Factor, Spectrum};
 
-/// A medium at one wavelength: its complex index of refraction n + ik, where k >= 0 absorbs.
+/// A medium at one wavelength: its complex index of refraction n + ik.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Medium {
@@ -30,10 +30,8 @@ pub struct Layer {
     pub thickness_nm: f32,
 }
 
-/// `L` layers on a substrate, as one wavelength meets them; what disperses makes one for each wavelength.
-///
-/// Coherent throughout: a substrate of millimeters belongs behind the stack (as `substrate`) or into a filter of
-/// its own, not among the layers.
+/// `L` layers on a substrate, as one wavelength meets them, coherent throughout: a substrate of millimeters belongs
+/// behind the stack (as `substrate`) or into a filter of its own. What disperses makes a stack for each wavelength.
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -66,17 +64,15 @@ impl Medium {
 }
 
 impl<const L: usize> Stack<L> {
-    /// What becomes of light of one wavelength: s and p polarized. NaN where an index or a thickness is out of its
-    /// range.
-    ///
+    /// What becomes of light of one wavelength, s and p polarized; NaN where an index or a thickness is out of range.
     /// `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
     ///
     /// # Accuracy
     /// 2e-4 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05: the worst that a
-    /// search has found, at sharp resonances, which magnify rounding. Of 100 000 such stacks drawn at random, none is
-    /// off by more than 5e-6. Thicker layers add some roundings for each turn of phase but at normal incidence.
-    /// Whatever they do, the shares of clear layers add up to 1 within 2e-7, and those of absorbing ones within 1e-6
-    /// (`tests/matter/films_properties.rs`). Layers of any thickness may absorb: nothing overflows.
+    /// search has found, at sharp resonances. Of 100 000 such stacks drawn at random, none is off by more than 5e-6.
+    /// Except at normal incidence thicker layers add some roundings for each turn of phase. The shares of clear layers
+    /// add up to 1 within 2e-7, and those of absorbing ones, of any thickness, within 1e-6
+    /// (`tests/matter/films_properties.rs`).
     ///
     /// # Cost
     /// Two exponentials, a sine and a cosine for each layer.
@@ -202,11 +198,11 @@ impl Crossing {
     }
 }
 
-/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light, of stacks that may change
-/// with the wavelength in nm, which is what `stack` is given.
+/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light; `stack` makes the stack of
+/// a wavelength in nm, and `cos_theta` is as in [`Stack::at`].
 ///
-/// `cos_theta` as in [`Stack::at`]. Each bin is read in `panels` pieces of three points: ten for each fringe in a bin
-/// hold the mean to some 1e-6, and nothing less than one for each fringe makes sense.
+/// Each bin is read in `panels` pieces of three points: one for each fringe in a bin at least; ten for each hold the
+/// mean to some 1e-6.
 ///
 /// ```
 /// use nanospectra::matter::{Layer, Medium, Stack, stack_bins};

@@ -12,8 +12,7 @@ use core::marker::PhantomData;
 /// Fluorescent matter of any kind: which share of the light of bin `i` leaves in bin `k`, for all `k >= i`
 /// (Donaldson's bispectral radiance factors, packed). The diagonal is the ordinary reflectance.
 ///
-/// `P` is the number of pairs, `N * (N + 1) / 2`, which stable Rust has to be told: `Donaldson<31, 496>`. Any other
-/// does not compile (it is `cargo build` that says so, and `cargo check` does not).
+/// `P` is the number of pairs, `N * (N + 1) / 2`: `Donaldson<31, 496>`. Any other does not pass `cargo build`.
 ///
 /// # Cost
 /// `P` multiply-adds and `4 P` bytes: at 31 bins light off a matrix to XYZ takes 4900 instructions on a Cortex-M4F.
@@ -150,7 +149,7 @@ impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
         while i < N {
             let (mut sum, mut k) = (0.0, i);
             while k < N {
-                // (A pair is always one of the `P`; saying so keeps the panic out of an image.)
+                // (As in `add`.)
                 if next < P {
                     sum += weights[k] as f64 * self.columns[next] as f64;
                 }

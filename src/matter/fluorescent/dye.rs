@@ -13,9 +13,9 @@ use core::marker::PhantomData;
 /// One dye: a surface (or a filter) that reflects as any other, and besides glows in its own color, however it was
 /// excited (Kasha's and Vavilov's rules).
 ///
-/// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`: two numbers more
-/// than a surface has for each bin, where the full [`Donaldson`](crate::matter::Donaldson) matrix has `N / 2`. What the dye emits at shorter
-/// waves than it absorbs is not left out: that costs 0.08 CIEDE2000 against the matrix for the vest below.
+/// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`, emission at shorter
+/// waves than are absorbed included. These are two numbers more for each bin than a surface has; the full
+/// [`Donaldson`](crate::matter::Donaldson) matrix has `N / 2`, and differs by 0.08 CIEDE2000 for the vest below.
 ///
 /// ```
 /// use nanospectra::matter::Dye;
@@ -45,7 +45,7 @@ use core::marker::PhantomData;
 /// At 31 bins light off a dye to XYZ takes 533 instructions on a Cortex-M4F, off a plain surface 378.
 pub struct Dye<const N: usize, G = Bins<380, 730>> {
     pub(super) reflects: [f32; N],
-    /// For each bin, what light of 1 per nm adds to the glow.
+    /// What light of 1 per nm adds to the glow.
     pub(super) absorbs: [f32; N],
     /// Per nm, for a glow of 1.
     pub(super) emits: [f32; N],
@@ -109,17 +109,17 @@ impl core::error::Error for FluorescenceError {}
 pub(super) const ROUNDING: f64 = 1e-6;
 
 impl<const N: usize, G: Bands> Dye<N, G> {
-    /// From what can be measured: the reflectance without the glow, the share of the light of each bin that the dye
-    /// absorbs (0..=1), the emission (power per nm, in any unit), and the quantum yield (photons emitted for each
-    /// one absorbed, 0..=1).
+    /// From what can be measured: the reflectance without the glow, the absorbed share of the light of each bin
+    /// (0..=1), the emission (power per nm, in any unit), and the quantum yield (photons emitted for each absorbed,
+    /// 0..=1).
     ///
     /// Give them at 1 nm and [`resample`](Self::resample) the result, or fold it. Absorption below the grid, in the
     /// ultraviolet, is lost: optical brighteners need a grid from 300 nm. Computes in f64, for `const` use.
     ///
     /// # Errors
     /// Values that are negative or not finite, no emission, a yield outside 0..=1; or a bin whose light leaves with
-    /// more energy than it came with: reflectance and absorption above 1 together, or long waves that would come back as
-    /// short ones at too high a yield. (A low yield passes: its energy is there, and the tails of real dyes do overlap.)
+    /// more energy than it came with: reflectance and absorption above 1 together, or long waves that come back as
+    /// short ones (at a low yield they may, as the tails of real dyes overlap).
     pub const fn new(
         reflectance: &Spectrum<Factor, N, G>,
         absorption: &Spectrum<Factor, N, G>,
@@ -169,9 +169,8 @@ impl<const N: usize, G: Bands> Dye<N, G> {
         Ok(dye)
     }
 
-    /// The same dye on another grid, bin by bin: exact for light that is constant within each of the new bins, and
-    /// the energy of what is emitted is kept. Beyond this grid the reflectance is held; nothing is absorbed or
-    /// emitted there.
+    /// The same dye on another grid: exact for light that is constant within each of the new bins, and the emitted
+    /// energy is kept. Beyond this grid the reflectance is held, and nothing is absorbed or emitted.
     #[must_use]
     pub fn resample<const M: usize, H: Grid>(&self) -> Dye<M, H>
     where
@@ -192,14 +191,13 @@ impl<const N: usize, G: Bands> Dye<N, G> {
 }
 
 impl<const N: usize, G> Dye<N, G> {
-    /// The reflectance without the glow: what is left of the matter if its fluorescence is ignored.
+    /// The reflectance without the glow.
     #[must_use]
     pub const fn reflectance(&self) -> Spectrum<Factor, N, G> {
         Spectrum::unchecked(self.reflects)
     }
 
-    /// The total power that the dye emits under this light: the factor by which its emission spectrum is multiplied, in
-    /// units of the light's power per nm times nm.
+    /// The total power that the dye emits under this light, in units of the light's power per nm times nm.
     #[must_use]
     #[inline]
     pub fn glow_under<S: Stimulus<Power, N, G>>(&self, light: S) -> f32 {

@@ -64,8 +64,7 @@ impl<const N: usize, G> Phosphor<N, G> {
 
     /// Lets `duration_s` seconds (zero or more; NaN below) go by under a light that does not change.
     ///
-    /// Two steps are the same as one as long as both, however short or long. Light beyond what f32 can add up counts
-    /// as half of `f32::MAX`.
+    /// Two steps are the same as one as long as both. Light beyond what f32 can add up counts as half of `f32::MAX`.
     ///
     /// # Accuracy
     /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26 lifetimes

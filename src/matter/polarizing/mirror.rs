@@ -46,8 +46,7 @@ impl<const N: usize, G> Mirror<N, G> {
     /// from; `cos_incidence` 0..=1 is the cosine of the angle of incidence, `s_axis_turns` the direction across the
     /// plane of incidence, in turns from the reference direction of the light.
     ///
-    /// From within the denser medium (`eta` below 1) total reflection has its phase. At right angles the plane of
-    /// incidence is undefined and does not matter. An `eta` of 1 is no surface, at any angle; light from behind
+    /// Total reflection (`eta` below 1) has its phase. An `eta` of 1 is no surface, at any angle; light from behind
     /// (`cos_incidence` below 0) is not reflected. A cosine above 1 counts as 1, an `eta` above 1e15 as that.
     #[must_use]
     pub const fn dielectric(eta: &[f32; N], cos_incidence: f32, s_axis_turns: f32) -> Self {
@@ -94,10 +93,9 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// From reflectances across the plane of incidence (s) and in it (p), 0..=1 (what is negative counts as 0), and the
-    /// cosine and sine of the phase of s against p, whose squares add up to 1: a metal, a stack of films, a measured
-    /// mirror. That phase is 0 for a mirror met at right angles (where many textbooks have half a turn); the s axis as
-    /// for [`dielectric`](Self::dielectric).
+    /// A stack of films or a measured mirror, from reflectances across the plane of incidence (s) and in it (p), 0..=1
+    /// (below: 0), and the cosine and sine of the phase of s against p, whose squares add up to 1. That phase is 0 at
+    /// right angles (where many textbooks have half a turn); the s axis as for [`dielectric`](Self::dielectric).
     #[must_use]
     pub const fn new(
         s: &Spectrum<Factor, N, G>,

@@ -30,9 +30,8 @@ impl<const N: usize, G> Retarder<N, G> {
 impl<const N: usize, G: Bands> Retarder<N, G> {
     /// A plate of one path difference, in nm: 137.5 for a quarter-wave plate at 550 nm.
     ///
-    /// Within a bin its retardance falls with the wavelength; what is kept is the mean effect over the bin, so light
-    /// behind a plate of many waves is as good as unpolarized. Plates with one axis between the same sheets are one
-    /// plate of the sum of their path differences: as two, each would take its mean.
+    /// What is kept is the mean effect over each bin, so light behind a plate of many waves is as good as unpolarized.
+    /// Plates with one axis between the same sheets are one plate of the sum of their path differences.
     ///
     /// # Accuracy
     /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins of the

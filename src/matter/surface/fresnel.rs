@@ -3,7 +3,7 @@
 use crate::math::Complex;
 use crate::math::{at_least, at_most, sqrt};
 
-/// One number for each plane of polarization.
+/// One number for each polarization.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Components {
@@ -85,8 +85,7 @@ impl Dielectric {
     /// The shares of power reflected, 0..=1, at the cosine of the angle of incidence.
     ///
     /// A cosine outside 0..=1 counts as the nearer end, an index below 0 as 0. Beyond the critical angle all is
-    /// reflected. Equal media (`eta` = 1) reflect nothing, at grazing incidence too, where the limit depends on the
-    /// path to it.
+    /// reflected. Equal media (`eta` = 1) reflect nothing, at grazing incidence too.
     ///
     /// # Accuracy
     /// For s 14 units of 2^-24, relative, however little the media differ (`tests/matter/hard_cases_surfaces.rs`), and for
@@ -106,11 +105,10 @@ impl Dielectric {
         }
     }
 
-    /// The shares of power that enter the second medium: 1 - R by formulas of their own, which hold where that
-    /// difference is all rounding.
+    /// The shares of power that enter the second medium, by formulas that hold where 1 - R is all rounding.
     ///
-    /// Of power. Radiance is per solid angle, which refraction changes: in the second medium it is eta^2 times this
-    /// share of what arrived.
+    /// Radiance is per solid angle, which refraction changes: in the second medium it is eta^2 times this share of
+    /// what arrived.
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         match self.ratios(cos_i) {
@@ -129,11 +127,8 @@ impl Dielectric {
     #[must_use]
     pub fn amplitudes(&self, cos_i: f32) -> Amplitudes {
         let Setup { cosine, sine2, scale, contrast, root2, .. } = Setup::of(self.eta, cos_i);
-        let root = if root2 < 0.0 {
-            Complex { re: 0.0, im: sqrt(-root2) }
-        } else {
-            Complex { re: sqrt(root2), im: 0.0 }
-        };
+        let size = sqrt(root2.abs());
+        let root = if root2 < 0.0 { Complex::new(0.0, size) } else { Complex::new(size, 0.0) };
         reflect(cosine, sine2, scale, Complex { re: contrast, im: 0.0 }, root)
     }
 
@@ -183,14 +178,8 @@ impl Setup {
         let scale = scale(eta);
         let sine2 = (1.0 - cosine) * (1.0 + cosine);
         let contrast = ((eta - 1.0) * scale) * ((eta + 1.0) * scale);
-        Setup {
-            eta,
-            cosine,
-            sine2,
-            scale,
-            contrast,
-            root2: root_squared([eta, 0.0], contrast, cosine, scale),
-        }
+        let root2 = root_squared([eta, 0.0], contrast, cosine, scale);
+        Setup { eta, cosine, sine2, scale, contrast, root2 }
     }
 }
 
@@ -219,12 +208,10 @@ impl Conductor {
         Components { s: rest(s, entering.s), p: rest(s * crossed, entering.p) }
     }
 
-    /// The shares of power that enter, and are absorbed: 1 - R by formulas of their own, which hold where that
-    /// difference is all rounding, as for silver.
+    /// The shares of power that enter and are absorbed, by formulas that hold where 1 - R is all rounding (silver).
     ///
     /// # Accuracy
-    /// 12 units of 2^-24, relative; near a critical angle (n < 1, k below 0.01) the rounding of the cosine costs
-    /// hundreds.
+    /// 12 units of 2^-24, relative; by the cosine's rounding hundreds near a critical angle (n < 1, k below 0.01).
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         let Metal { cosine, sine2, scale, contrast, root } = Metal::of(self, cos_i);
@@ -275,8 +262,7 @@ impl Metal {
     }
 }
 
-/// eta^2 - k^2 - sin^2, the real part of g^2: from eta^2 - k^2 - 1 (`contrast`) and the cosine, or from the sine, where
-/// less cancels.
+/// eta^2 - k^2 - sin^2, the real part of g^2: from eta^2 - k^2 - 1 (`contrast`) or from the sine, where less cancels.
 fn root_squared([n, k]: [f32; 2], contrast: f32, cosine: f32, scale: f32) -> f32 {
     if n > 0.7 {
         return contrast + (cosine * scale) * (cosine * scale);
@@ -312,8 +298,8 @@ fn reflect(cosine: f32, sine2: f32, scale: f32, contrast: Complex, root: Complex
 
 /// The amplitudes of both components after reflection.
 ///
-/// The time factor is exp(-i omega t). The p field is counted so that (s, p, direction of travel) is
-/// right-handed before and after: at normal incidence p = -s, and so a mirror at normal incidence turns the hand.
+/// The time factor is exp(-i omega t). (s, p, direction of travel) is right-handed before and after: at normal
+/// incidence p = -s, and so a mirror at normal incidence turns the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Amplitudes {

@@ -19,8 +19,8 @@ pub trait Glass {
         Some(indices)
     }
 
-    /// Abbe's number (n_d - 1) / (n_F - n_C): large for a glass that disperses little; `None` for one that does
-    /// not disperse at all, or has no index at one of these lines.
+    /// Abbe's number (n_d - 1) / (n_F - n_C): large for a glass that disperses little; `None` for one that does not
+    /// disperse or has no index at one of these lines.
     ///
     /// # Accuracy
     /// 1e-5 relative for glasses of numbers up to 70: the difference of two indices in f32.
@@ -39,12 +39,10 @@ pub trait Glass {
 
 /// Sellmeier's formula: n^2 = 1 + sum of `b` l^2 / (l^2 - `c`), with l in um and `c` in um^2.
 ///
-/// The formula knows nothing of the range in which it was fitted: outside the one that a glass quotes an index is only
-/// what the formula gives, up to the resonances, where it can be anything above 0.
+/// Outside the range that a glass quotes an index is only what the formula gives: at a resonance anything above 0.
 ///
 /// # Accuracy
-/// 1.2e-7 relative, of what the coefficients say, within the quoted ranges from 380 to 1000 nm; towards a resonance it
-/// loses all digits.
+/// 1.2e-7 relative within the quoted ranges from 380 to 1000 nm; towards a resonance it loses all digits.
 ///
 /// ```
 /// # use nanospectra::matter::{Glass, N_BK7};
@@ -86,9 +84,13 @@ pub const FUSED_SILICA: Sellmeier =
 
 impl Glass for Sellmeier {
     fn index(&self, nm: f32) -> Option<f32> {
-        let square = (nm * 1e-3) * (nm * 1e-3);
-        let terms = self.b.iter().zip(&self.c).map(|(b, c)| b * (square / (square - c)));
-        positive_root(nm, 1.0 + terms.sum::<f32>())
+        if nm.is_nan() {
+            return Some(nm);
+        }
+        let um2 = (nm * 1e-3) * (nm * 1e-3);
+        let terms = self.b.iter().zip(&self.c).map(|(b, c)| b * (um2 / (um2 - c)));
+        let square = 1.0 + terms.sum::<f32>();
+        (nm > 0.0 && square > 0.0 && square < f32::INFINITY).then(|| sqrt(square))
     }
 }
 
@@ -115,12 +117,4 @@ impl Glass for Cauchy {
         let index = self.a + inverse * (self.b + inverse * self.c);
         if nm > 0.0 && (index <= 0.0 || !index.is_finite()) || nm <= 0.0 { None } else { Some(index) }
     }
-}
-
-/// The index of this square; NaN for the wavelength NaN.
-fn positive_root(nm: f32, square: f32) -> Option<f32> {
-    if nm.is_nan() {
-        return Some(nm);
-    }
-    (nm > 0.0 && square > 0.0 && square < f32::INFINITY).then(|| sqrt(square))
 }

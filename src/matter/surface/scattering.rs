@@ -7,16 +7,13 @@ use core::ops::Mul;
 
 /// A rule for integrals of a BRDF times a cosine over the hemisphere.
 ///
-/// Every [`Hemisphere`] rule is one, for every BRDF. [`VisibleNormals`](crate::matter::VisibleNormals) is the one
-/// for microfacets, which no fixed directions can follow into the gloss, and
-/// [`Specular`](crate::matter::Specular) the one for mirrors, which have one direction only.
+/// Every [`Hemisphere`] rule is one for every BRDF, [`VisibleNormals`](crate::matter::VisibleNormals) the one for
+/// glossy microfacets, [`Specular`](crate::matter::Specular) the one for mirrors, which have one direction only.
 pub trait Quadrature<B: Brdf> {
-    /// Calls `visit` with directions `wi` and f(wo, wi) times their projected solid angle: with what share of the
-    /// radiance from there goes on to `wo`.
+    /// Calls `visit` with directions `wi` and f(wo, wi) times their projected solid angle: the share that goes to `wo`.
     fn arriving(&self, brdf: &B, wo: Direction, visit: impl FnMut(Direction, B::Value));
 
-    /// Calls `visit` with directions `wo` and f(wo, wi) times their projected solid angle: with what share of the
-    /// power from `wi` goes there.
+    /// Calls `visit` with directions `wo` and f(wo, wi) times their projected solid angle: the share from `wi`.
     fn leaving(&self, brdf: &B, wi: Direction, visit: impl FnMut(Direction, B::Value));
 }
 
@@ -32,8 +29,7 @@ impl<B: Brdf, H: Hemisphere> Quadrature<B> for H {
 
 /// The scattering equation: the radiance that leaves towards `wo` where radiance `li` arrives from the hemisphere.
 ///
-/// Lo(wo) = integral of f(wo, wi) Li(wi) cos(theta_i) over solid angle. `li` may be a number or a spectrum of
-/// power; a spectrum of reflectances and one of light must be on the same grid.
+/// Lo(wo) = integral of f(wo, wi) Li(wi) cos(theta_i) over solid angle. `li` may be a number or a spectrum of power.
 ///
 /// ```
 /// # use nanospectra::{Light, Reflectance, matter::{Lambert, scattering::scattered}};
@@ -55,17 +51,15 @@ pub fn scattered<B: Brdf, L: Integrand + Mul<B::Value, Output = L>>(
     radiance.sum
 }
 
-/// Hemispherical-directional reflectance: the radiance towards `wo` over that of an even light from the whole
-/// hemisphere.
+/// Hemispherical-directional reflectance: the radiance towards `wo` over that of even light from the whole hemisphere.
 pub fn rho_hd<B: Brdf>(brdf: &B, wo: Direction, quadrature: &impl Quadrature<B>) -> B::Value {
     let mut total = Total::new();
     quadrature.arriving(brdf, wo, |_, share| total.add(share));
     total.sum
 }
 
-/// Directional-hemispherical reflectance: the share of the power from `wi` that leaves, to wherever.
-///
-/// By reciprocity it is [`rho_hd`] of the same direction (and of no other).
+/// Directional-hemispherical reflectance: the share of the power from `wi` that leaves; by reciprocity [`rho_hd`] of
+/// the same direction.
 pub fn rho_dh<B: Brdf>(brdf: &B, wi: Direction, quadrature: &impl Quadrature<B>) -> B::Value {
     let mut total = Total::new();
     quadrature.leaving(brdf, wi, |_, share| total.add(share));

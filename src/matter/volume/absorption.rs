@@ -12,22 +12,18 @@ use core::ops::Add;
 /// How strongly a medium takes light out of a beam: the absorption (or extinction) coefficient of each bin, in 1/m,
 /// to base e. 0 is clear, infinity is opaque.
 ///
-/// What lies in the path of light is the [`transmittance`](Self::transmittance) of a length of it. A sum of
-/// absorbers is their mixture, in any order.
+/// A filter is the [`transmittance`](Self::transmittance) of a length of it. A sum of absorbers is their mixture.
 ///
 /// ```
-/// # #[cfg(not(feature = "libm"))]
-/// # fn main() {}
-/// # #[cfg(feature = "libm")]
-/// # fn main() -> Result<(), nanospectra::matter::AbsorberError> {
+/// # #[cfg(feature = "libm")] {
 /// use nanospectra::Reflectance;
 /// use nanospectra::matter::Absorber;
 /// // Filter glass, measured at 2 mm without its surfaces; used at 3 mm.
 /// let glass = Absorber::<16>::from_transmittance(&Reflectance::flat(0.25), 2e-3)?;
 /// let thicker = glass.transmittance(3e-3);
 /// assert!((thicker.values()[0] - 0.125).abs() < 1e-6); // 0.25^(3/2)
-/// # Ok(())
 /// # }
+/// # Ok::<(), nanospectra::matter::AbsorberError>(())
 /// ```
 pub struct Absorber<const N: usize, G = Bins<380, 730>> {
     per_m: [f32; N],
@@ -73,8 +69,7 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
         }
     }
 
-    /// From the internal transmittance, 0..=1, of a plate of `thickness_m` > 0: what is measured, less the
-    /// reflection at the surfaces.
+    /// From the internal transmittance, 0..=1, of a plate of `thickness_m` > 0: without reflection at its surfaces.
     ///
     /// # Errors
     /// [`AbsorberError`]: a transmittance outside 0..=1 or NaN, a thickness that is not finite and above zero.
@@ -99,26 +94,20 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
         Self::from_per_m(plate.values().map(|t| if t == 1.0 { 0.0 } else { -M::ln(t) / thickness_m }))
     }
 
-    /// A dissolved substance by the chemist's numbers: decadic molar absorption coefficients in L mol-1 cm-1, each 0
-    /// or more, and its concentration in mol/L, above zero.
-    ///
-    /// The decadic absorbance of a cuvette of 1 cm is coefficient times concentration; give the absorbances
-    /// themselves with a concentration of 1.
+    /// A dissolved substance: from decadic molar absorption coefficients in L mol-1 cm-1, each 0 or more, and its
+    /// concentration in mol/L, above zero; or from the absorbances of a cuvette of 1 cm with a concentration of 1.
     ///
     /// # Errors
     /// [`AbsorberError`]: a coefficient is negative or NaN; a concentration that is not finite and above zero.
     ///
     /// ```
-    /// # #[cfg(not(feature = "libm"))]
-    /// # fn main() {}
-    /// # #[cfg(feature = "libm")]
-    /// # fn main() -> Result<(), nanospectra::matter::AbsorberError> {
+    /// # #[cfg(feature = "libm")] {
     /// # use nanospectra::matter::Absorber;
     /// // Absorbance 1 in a cuvette of 1 cm: a tenth comes through.
     /// let wine = Absorber::<16>::from_molar([2000.0; 16], 5e-4)?;
     /// assert!((wine.transmittance(0.01).values()[0] - 0.1).abs() < 1e-7);
-    /// # Ok(())
     /// # }
+    /// # Ok::<(), nanospectra::matter::AbsorberError>(())
     /// ```
     pub fn from_molar(l_per_mol_cm: [f32; N], mol_per_l: f32) -> Result<Self, AbsorberError> {
         amount(mol_per_l)?;
@@ -140,7 +129,7 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
 
     /// The share that comes through `path_m` meters, 0..=1: exp(-sigma d).
     ///
-    /// Nothing is lost on a path of 0, and nothing by a clear medium of any length. A negative path is none: NaN.
+    /// 1 for a path of 0, and for a clear medium of any length. NaN for a negative path.
     ///
     /// # Accuracy
     /// (tau + 1) units of 2^-24, relative, with tau = sigma d; 0 beyond tau = 104. Bins are as narrow as the
@@ -178,8 +167,7 @@ impl<const N: usize, G: Grid> Absorber<N, G> {
     /// What air scatters out of a beam (Rayleigh), at 288.15 K and 101325 Pa. Thinner air is
     /// [`times`](Self::times) its share of that density.
     ///
-    /// For grids within 200..=2000 nm. Below, where air absorbs and does not only scatter, the formula has poles and
-    /// the coefficients mean nothing.
+    /// For grids within 200..=2000 nm: below, where air also absorbs, the formula has poles.
     #[must_use]
     pub fn air() -> Self {
         let per_m = Spectrum::<Factor, N, G>::averaged(rayleigh_per_m);

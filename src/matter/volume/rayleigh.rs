@@ -16,9 +16,8 @@ pub const fn air_refractivity(nm: f32) -> f32 {
     1e-8 * (8060.51 + 2_480_990.0 / (132.274 - per_um2) + 17_455.7 / (39.329_57 - per_um2))
 }
 
-/// King's factor of dry air: what molecules scatter more for not being round. 1.0488 at 550 nm.
-///
-/// `co2_ppm` is the share of carbon dioxide, in parts per million by volume.
+/// King's factor of dry air: what molecules scatter more for not being round. 1.0488 at 550 nm. `co2_ppm` is the share
+/// of carbon dioxide by volume.
 ///
 /// # Reference
 /// Bates 1984; Bodhaine et al. 1999, eqs. 5, 6 and 23.

@@ -3,24 +3,19 @@
 use crate::grid::{Bands, Bins, by_fields};
 #[cfg(feature = "libm")]
 use crate::math::Portable;
-use crate::math::at_most;
-use crate::math::{Math, sqrt};
+use crate::math::{Math, at_most, sqrt};
 use crate::matter::volume::absorption::depth;
 use crate::matter::{Absorber, AbsorberError, Dielectric, PowerShares};
 use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// A plane-parallel slab between two like media: window glass, a filter, the wall of a cuvette.
 ///
-/// Each face reflects by Fresnel's equations, the inside absorbs by Beer and Lambert's law along the refracted
-/// path, and every beam that goes to and fro counts. Powers add, not fields: the slab is thick against the coherence
-/// length, 0.1 mm and more in ordinary light (a thinner one is a [`ThinFilm`](crate::matter::ThinFilm)). It is
-/// clear enough that its faces reflect as if it were not absorbing, as all that light gets through is.
+/// Each face reflects by Fresnel's equations as if the slab were clear, the inside absorbs by Beer and Lambert's law
+/// along the refracted path, and every beam that goes to and fro counts. Powers add, not fields: from 0.1 mm on in
+/// ordinary light (a thinner slab is a [`ThinFilm`](crate::matter::ThinFilm)).
 ///
 /// ```
-/// # #[cfg(not(feature = "libm"))]
-/// # fn main() {}
-/// # #[cfg(feature = "libm")]
-/// # fn main() -> Result<(), nanospectra::matter::AbsorberError> {
+/// # #[cfg(feature = "libm")] {
 /// use nanospectra::matter::{Absorber, Slab};
 /// use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, Spectrum, observer::CIE_1931};
 ///
@@ -33,8 +28,8 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// let behind = EYE.sees(lamp.onto(&paper).through(&window.transmittance(1.0)));
 /// assert!((behind[1] / EYE.sees(lamp.onto(&paper))[1] - 0.460_98).abs() < 1e-5);
 /// assert!((window.reflectance(1.0).values()[0] - 0.049_22).abs() < 1e-5);
-/// # Ok(())
 /// # }
+/// # Ok::<(), nanospectra::matter::AbsorberError>(())
 /// ```
 ///
 /// # Accuracy
@@ -42,11 +37,10 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// absorbed add up to 1 within 3.5e-7 (`tests/matter/slab.rs`).
 ///
 /// # Cost
-/// 8 bytes for each bin and 4; a bin takes an exp, an expm1 and three square roots at each angle. A window that
-/// stays is a spectrum to be worked out once.
+/// 8 bytes for each bin and 4; a bin takes an exp, an expm1 and three square roots at each angle.
 pub struct Slab<const N: usize, G = Bins<380, 730>> {
-    /// Refractive index of each bin relative to what is around it, above 0: [`Spectrum::flat`] for one index, or
-    /// [`Glass::indices`](crate::matter::Glass::indices). Below 1 it is a gap of air in glass.
+    /// Refractive index of each bin relative to what is around it, above 0; below 1 it is a gap of air in glass.
+    /// [`Spectrum::flat`] is one index, [`Glass::indices`](crate::matter::Glass::indices) are those of a glass.
     pub index: Spectrum<RefractiveIndex, N, G>,
     /// What it is made of.
     pub absorber: Absorber<N, G>,
@@ -55,8 +49,7 @@ pub struct Slab<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Slab<N, G> {
-    /// From what a spectrometer measures at right angles: the external transmittance of a slab of this index (its
-    /// faces included) and `thickness_m` > 0.
+    /// From the external transmittance (faces included) that a spectrometer measures at right angles; `thickness_m` > 0.
     ///
     /// # Errors
     /// As [`internal_transmittance`], and a thickness that is not finite and above zero.
@@ -110,8 +103,7 @@ impl<const N: usize, G: Bands> Slab<N, G> {
         self.mean::<M>(cos_theta, |shares| shares.transmitted)
     }
 
-    /// The share of unpolarized light that stays and heats the slab, 0..=1: by a formula of its own, which holds
-    /// where 1 - R - T is all rounding.
+    /// The share of unpolarized light that heats the slab, 0..=1; it holds where 1 - R - T is all rounding.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn absorbed(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
@@ -126,9 +118,8 @@ impl<const N: usize, G: Bands> Slab<N, G> {
 
     /// One of the shares for s and for p polarized light, in this order.
     ///
-    /// A tilted window is a weak polarizer for what lies behind it. As a [`Polarizer`](crate::matter::Polarizer) its
-    /// intensities are exact, and light that arrives polarized askew keeps a little too much of that (1 % at
-    /// Brewster's angle of n = 1.5), because the beams that went to and fro lost some.
+    /// A tilted window is a weak [`Polarizer`](crate::matter::Polarizer): exact in the intensities, while light that
+    /// arrives polarized askew stays so a little too much (1 % at Brewster's angle of n = 1.5).
     ///
     /// ```
     /// use nanospectra::matter::{Absorber, Polarizer, Slab};
@@ -191,11 +182,10 @@ impl<const N: usize, G: Bands> Slab<N, G> {
 
 by_fields!([const N: usize, G] Slab<N, G>, "Slab": index, absorber, thickness_m);
 
-/// The internal transmittance, 0..=1, between the faces of a slab from the external one, faces included, as it is
-/// measured at right angles: all reflections to and fro taken out.
+/// The internal transmittance, 0..=1, between the faces of a slab, from the external one, faces included, as it is
+/// measured at right angles. `index` is that of the slab relative to what is around it.
 ///
-/// `index` is that of the slab relative to what is around it. Makers' data sheets have internal transmittances of a
-/// reference thickness; [`Absorber::from_transmittance`] takes this to any other.
+/// Makers' data sheets have it for a reference thickness; [`Absorber::from_transmittance`] takes it to any other.
 ///
 /// # Accuracy
 /// 6 units of 2^-24, relative.
@@ -241,7 +231,7 @@ pub fn internal_transmittance<const N: usize, G: Bands>(
 /// a = 1 - tau: 1 - R tau = E + R a without cancellation.
 fn to_and_fro(reflected: f32, entering: f32, passed: f32, lost: f32) -> PowerShares {
     if entering == 0.0 {
-        // Grazing, or total: as many beams as one likes of nothing.
+        // Grazing, or total reflection.
         return PowerShares { reflected: 1.0 + 0.0 * lost, transmitted: 0.0 * lost, absorbed: 0.0 * lost };
     }
     let round = reflected * passed;

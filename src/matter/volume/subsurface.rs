@@ -31,27 +31,19 @@ impl BurleyFit {
     /// and 8.
     #[must_use]
     pub const fn scaling(self, albedo: f32) -> f32 {
+        let (x, y) = (albedo - 0.8, albedo - 0.33);
         match self {
-            Self::Beam => {
-                let x = (albedo - 0.8).abs();
-                1.85 - albedo + 7.0 * (x * x * x)
-            }
-            Self::Diffuse => {
-                let x = albedo - 0.8;
-                1.9 - albedo + 3.5 * (x * x)
-            }
-            Self::DiffusePath => {
-                let x = albedo - 0.33;
-                3.5 + 100.0 * ((x * x) * (x * x))
-            }
+            Self::Beam => 1.85 - albedo + 7.0 * (x * x * x).abs(),
+            Self::Diffuse => 1.9 - albedo + 3.5 * (x * x),
+            Self::DiffusePath => 3.5 + 100.0 * ((y * y) * (y * y)),
         }
     }
 }
 
-/// Burley's normalized diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A and a distance d
-/// for each bin. Its integral over the surface is A, whatever d.
+/// Burley's normalized diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A, which is its
+/// integral over the surface, and a distance d for each bin. Where d is 0, light leaves where it entered: Lambert.
 ///
-/// Lengths are in m (or in any one unit). Where d is 0, light leaves where it entered: Lambert.
+/// Lengths are in m (or in any one unit).
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -90,16 +82,14 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         &self.distance
     }
 
-    /// All that leaves: the integral of the profile, which is the albedo.
+    /// All that leaves: the albedo.
     #[must_use]
     pub const fn reflectance(&self) -> Reflectance<N, G> {
         self.albedo
     }
 
-    /// r R(r), in 1/m, at `r` >= 0 from where light entered. (R itself is infinite at r = 0; 2 pi times this is what
-    /// leaves from a ring, for each meter of its width.)
-    ///
-    /// A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing leaves). A negative `r` gives NaN.
+    /// r R(r), in 1/m, at `r` >= 0 (else NaN) from where light entered; 2 pi times this leaves from a ring, for each
+    /// meter of its width. A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing leaves).
     ///
     /// # Accuracy
     /// (r / d + 4) units of 2^-24, relative.
@@ -121,9 +111,8 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         })
     }
 
-    /// What leaves within `r` >= 0 of where light entered: the integral of the profile over that disk, 0..=albedo.
-    ///
-    /// A bin with d = 0 gives its albedo at any `r`. A negative `r` gives NaN.
+    /// What leaves within `r` >= 0 (else NaN) of where light entered: the integral of the profile over that disk,
+    /// 0..=albedo. A bin with d = 0 gives its albedo at any `r`.
     ///
     /// # Accuracy
     /// 4 units of 2^-24, relative.
@@ -193,9 +182,8 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
     3.0 * M::ln(rest) * (y / (rest - 1.0))
 }
 
-/// The classical dipole: a diffusing half-space of known absorption and scattering, behind a smooth surface.
-///
-/// Coefficients are in 1/m (or 1 over any one unit of length).
+/// The classical dipole: a diffusing half-space of known absorption and scattering, in 1/m (or 1 over any one unit of
+/// length), behind a smooth surface.
 ///
 /// # Reference
 /// Jensen, Marschner, Levoy and Hanrahan 2001, "A practical model for subsurface light transport".
@@ -219,15 +207,14 @@ pub struct Dipole<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Dipole<N, G> {
-    /// From the absorption and the reduced scattering coefficient of each bin, both 0..=1e18 (else: NaN), and the
-    /// index of refraction `eta` of the volume over that outside, 1..=3 (else all is NaN); what light meets inside at the surface by
-    /// the exact mean of Fresnel's equations.
+    /// From the absorption and the reduced scattering coefficient of each bin, both 0..=1e18 (else NaN), and the index
+    /// of refraction `eta` of the volume over that outside, 1..=3 (else all is NaN), by [`internal_reflectance`].
     #[must_use]
     pub fn new(absorption: [f32; N], reduced_scattering: [f32; N], eta: f32) -> Self {
         Self::with(absorption, reduced_scattering, eta, internal_reflectance(eta))
     }
 
-    /// As [`new`](Self::new) by the fit that the paper and most programs use, to compare with them.
+    /// As [`new`](Self::new), by the fit of the paper and most programs, [`internal_reflectance_fit`].
     #[must_use]
     pub fn new_by_fit(absorption: [f32; N], reduced_scattering: [f32; N], eta: f32) -> Self {
         Self::with(absorption, reduced_scattering, eta, internal_reflectance_fit(eta))
@@ -256,8 +243,7 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         })
     }
 
-    /// R(r), in 1/m2: what leaves at `r` >= 0 from where light entered, for each m2 and each unit that entered. NaN
-    /// for a negative `r`.
+    /// R(r), in 1/m2, at `r` >= 0 (else NaN) from where light entered.
     ///
     /// # Accuracy
     /// (2 sigma_tr r + 20) units of 2^-24, relative.
@@ -288,13 +274,12 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         })
     }
 
-    /// The reflectance of a large area lit evenly from all sides and seen from `cos_theta` (or lit from there and
-    /// seen by all): in and out through the surface, once each; without the gloss. 0..=1.
+    /// The reflectance, 0..=1 and without the gloss, of a large area lit evenly from all sides and seen from
+    /// `cos_theta`, or the other way round.
     ///
-    /// Where nothing is absorbed, this and the gloss are together less than 1: 5.7 % are lost at `eta` 1.3. R(r) is
-    /// what leaves, what the surface sends back inside being in its boundary condition; Jensen's model then takes
-    /// Fresnel's share on the way out once more, whose mean is 1 - [`external_reflectance`]. Divided by that, all
-    /// light is accounted for.
+    /// Where nothing is absorbed, this and the gloss are together less than 1: 5.7 % are lost at `eta` 1.3. The reason
+    /// is that Jensen's model takes Fresnel's share on the way out, which R(r) contains, once more. Divided by the
+    /// mean of that, 1 - [`external_reflectance`], all light is accounted for.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn hemispherical_directional(&self, cos_theta: f32) -> Reflectance<N, G> {

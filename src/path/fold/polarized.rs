@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 
 /// An observer behind matter that polarizes: for each channel and bin one weight for each of I, Q, U and V.
 ///
-/// From [`Observer::polarized`] back along the path, to the point where the light is unpolarized:
+/// It leads from [`Observer::polarized`] back along the path to where the light is unpolarized: there
 /// [`unpolarized_light`](Self::unpolarized_light) makes it an [`Observer`] again, and polarization costs nothing.
 pub struct PolarizedObserver<const C: usize, const N: usize, Q = Factor, G = Bins<380, 730>>(
     [[[f32; 4]; N]; C],
@@ -33,24 +33,6 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
         }
         PolarizedObserver(weights, PhantomData)
     }
-
-    /// This observer behind a polarizer: asked how the light is polarized from there on.
-    #[must_use]
-    pub const fn through_polarizer(&self, polarizer: &Polarizer<N, G>) -> PolarizedObserver<C, N, Q, G> {
-        self.polarized().through_polarizer(polarizer)
-    }
-
-    /// This observer behind a retarder. A retarder alone changes no reading; between polarizers or mirrors it does.
-    #[must_use]
-    pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> PolarizedObserver<C, N, Q, G> {
-        self.polarized().through_retarder(retarder)
-    }
-
-    /// This observer looking into a mirror: asked how the light is polarized from there on.
-    #[must_use]
-    pub const fn looking_at_mirror(&self, mirror: &Mirror<N, G>) -> PolarizedObserver<C, N, Q, G> {
-        self.polarized().looking_at_mirror(mirror)
-    }
 }
 
 impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
@@ -60,7 +42,7 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
         self.behind(polarizer.mueller())
     }
 
-    /// Behind a retarder.
+    /// Behind a retarder. Alone it changes no reading; between polarizers or mirrors it does.
     #[must_use]
     pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> Self {
         self.behind(retarder.mueller())

@@ -61,8 +61,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         self.bill().fold(Price::NONE, |sum, line| sum.plus(line.price))
     }
 
-    /// What the scene costs once it is folded into an observer of `channels` channels: nothing beyond what the
-    /// observer takes by itself, whatever the parts.
+    /// What the scene costs once it is folded into an observer of `channels` channels: what that observer costs alone.
     #[must_use]
     pub const fn folded_price(&self, channels: usize) -> Price {
         Price { effects: Effects::NONE, multiply_adds: channels * N, bytes: 4 * channels * N }

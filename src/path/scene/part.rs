@@ -50,8 +50,8 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// What remains of it without its effect: the reflectance of a dye without the glow, the diagonal of a matrix,
-    /// the share of unpolarized light that a mirror, a polarizer or a retarder passes on.
+    /// What remains of it without its effect: the reflectance of a dye without the glow, the diagonal of a matrix, the
+    /// share of unpolarized light that a mirror passes on.
     #[must_use]
     pub fn without_effect(&self) -> Spectrum<Factor, N, G> {
         match self {
