@@ -59,7 +59,8 @@
 //!   zero for lights, the end values for reflectances. The choice of interpolation moves xy by up to 3.4e-4.
 //! * CCT, Duv and CRI are on the CIE 1931 observer with c2 = 1.4388e-2 m K, TM-30 on CIE 1964 with its
 //!   CCT on 1931; [`light::blackbody`] uses today's constants. Duv is positive above the locus.
-//! * NaN in gives NaN out; nothing panics; a quantity that has no value is an enum or `None`, never a wrong number.
+//! * NaN in gives NaN out; nothing panics (but indexing a spectrum beyond its end); a quantity that has no value is an
+//!   enum or `None`, never a wrong number. What [`radiometry`] divides by zero is the largest f32.
 //! * Values hold their accuracy between 1e-30 and 1e30; outside, products of f32 under- or overflow.
 //! * Every finite result has the same bits on every target (x86-64, Arm, RISC-V, WebAssembly), with every
 //!   feature. A feature adds an interface or speed and never changes a number.

@@ -1,5 +1,6 @@
 //! Tristimulus values and the chromaticities made from them.
 
+use crate::math::linear_operators;
 use core::fmt;
 
 /// CIE tristimulus values.
@@ -124,6 +125,13 @@ impl Xyz {
     pub fn uv1976(self) -> Option<Uv1976> {
         self.uv1960().map(|p| Uv1976 { u: p.u, v: 1.5 * p.v })
     }
+}
+
+// Lights that shine together.
+linear_operators! {
+    [] Xyz, Xyz::default();
+    |a, b| { Xyz { x: a.x + b.x, y: a.y + b.y, z: a.z + b.z } } { Xyz { x: a.x - b.x, y: a.y - b.y, z: a.z - b.z } }
+    { a.scaled(*b) } { Xyz { x: a.x / b, y: a.y / b, z: a.z / b } } { Xyz { x: -a.x, y: -a.y, z: -a.z } }
 }
 
 impl Xy {

@@ -1,12 +1,13 @@
 //! How many times as fast as others, by one command, in one run:
 //!
 //! ```text
-//! cargo bench -p nanospectra-benches --bench peers [-- --json FILE]
+//! cargo bench -p nanospectra-benches --bench peers [-- [observer] [color] [upsample] [alias] [--json FILE]]
 //! ```
 //!
 //! Every result is compared with f64 before it is timed. `RUSTFLAGS="-C target-cpu=x86-64-v3"` builds for AVX2, which
 //! changes no number. Times wobble, so a missed bar fails nothing; what may not grow is gated on instruction counts.
 
+mod alias;
 mod color;
 mod observer;
 mod race;
@@ -14,12 +15,25 @@ mod upsample;
 
 use race::Races;
 
+/// Comparisons that belong together.
+type Group = fn(&mut Races);
+
 fn main() -> std::io::Result<()> {
     let arguments: Vec<String> = std::env::args().collect();
     let mut races = Races::new(arguments.iter().any(|a| a == "--test"));
-    observer::all(&mut races);
-    color::all(&mut races);
-    upsample::all(&mut races);
+    let groups: [(&str, Group); 4] = [
+        ("observer", observer::all),
+        ("color", color::all),
+        ("upsample", upsample::all),
+        ("alias", alias::all),
+    ];
+    let named = |name: &str| arguments.iter().any(|a| a == name);
+    let all = !groups.iter().any(|(name, _)| named(name));
+    for (name, run) in groups {
+        if all || named(name) {
+            run(&mut races);
+        }
+    }
     races.print();
     if let Some(file) = arguments.iter().skip_while(|a| *a != "--json").nth(1) {
         std::fs::write(file, serde_json::to_string_pretty(&races.json())? + "\n")?;

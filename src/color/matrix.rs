@@ -1,5 +1,7 @@
 //! The few 3x3 matrices color needs: derived once in f64 by the compiler, applied in f32.
 
+use crate::math::const_for;
+
 /// Row-major, for const evaluation only.
 pub(crate) type Matrix64 = [[f64; 3]; 3];
 /// Row-major, in the precision of run time.
@@ -8,15 +10,9 @@ pub(crate) type Matrix = [[f32; 3]; 3];
 /// The product a b.
 pub(crate) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
     let mut out = [[0.0; 3]; 3];
-    let mut i = 0;
-    while i < 3 {
-        let mut j = 0;
-        while j < 3 {
-            out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
-            j += 1;
-        }
-        i += 1;
-    }
+    const_for!(0..3, |i| {
+        const_for!(0..3, |j| out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j]);
+    });
     out
 }
 

@@ -5,9 +5,9 @@ use core::marker::PhantomData;
 use crate::color::matrix::apply;
 use crate::color::transfer::{self, Transfer};
 use crate::color::{RgbSpace, Xyz};
-use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::math::{Math, linear_operators};
 
 /// A linear RGB color of space `S`: the amounts of the primaries, where (1, 1, 1) is white.
 ///
@@ -101,6 +101,13 @@ impl<S: RgbSpace> Rgb<S> {
         let [r, g, b] = self.to_array().map(T::encode_with::<M>);
         EncodedRgb::new(r, g, b)
     }
+}
+
+// Linear colors add as lights do.
+linear_operators! {
+    [S: RgbSpace] Rgb<S>, Rgb::new(0.0, 0.0, 0.0);
+    |a, c| { Rgb::new(a.r + c.r, a.g + c.g, a.b + c.b) } { Rgb::new(a.r - c.r, a.g - c.g, a.b - c.b) }
+    { Rgb::new(a.r * c, a.g * c, a.b * c) } { Rgb::new(a.r / c, a.g / c, a.b / c) } { Rgb::new(-a.r, -a.g, -a.b) }
 }
 
 impl<S: RgbSpace, T: Transfer> EncodedRgb<S, T> {

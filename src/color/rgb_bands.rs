@@ -2,6 +2,7 @@
 
 use crate::color::{Rgb, RgbSpace};
 use crate::grid::{Bands, Kind};
+use crate::math::const_for;
 use crate::observer::StandardObserver;
 use crate::spectrum::Spectrum;
 use core::marker::PhantomData;
@@ -39,15 +40,9 @@ impl<S: RgbSpace> Bands for RgbBands<S> {
 impl<S: RgbSpace> StandardObserver<3> for RgbBands<S> {
     const STANDARD: [[f32; 3]; 3] = {
         let mut rows = S::TO_XYZ;
-        let mut row = 0;
-        while row < 3 {
-            let mut k = 0;
-            while k < 3 {
-                rows[row][k] *= 100.0;
-                k += 1;
-            }
-            row += 1;
-        }
+        const_for!(0..3, |row| {
+            const_for!(0..3, |k| rows[row][k] *= 100.0);
+        });
         rows
     };
 }

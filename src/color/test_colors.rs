@@ -9,6 +9,7 @@
 //! three spectra for daylight, a Chebyshev series of ten for a black body.
 
 use crate::light::{S0, S1, S2, daylight_factors};
+use crate::math::const_for;
 use crate::observer::{CIE_1931, FineObserver};
 use crate::spectrum::{BEYOND, Factor, Fine, Power, quintic};
 use crate::test_samples::{TCS, TCS_5NM};
@@ -24,28 +25,19 @@ const NODES: usize = 99;
 /// Samples at the nodes. Beyond the ends stands what the boundary formula takes there.
 static SAMPLES: [[f32; 16]; NODES] = {
     let mut samples = [[1.0; 16]; NODES];
-    let mut k = 0;
-    while k < 15 {
+    const_for!(0..15, |k| {
         let at = TCS_5NM[k].values();
-        let mut node = 0;
-        while node < 95 {
-            samples[node + 2][k] = at[node];
-            node += 1;
-        }
-        let mut step = 0;
-        while step < 2 {
-            let (mut before, mut after, mut i) = (0.0, 0.0, 0);
-            while i < 6 {
+        const_for!(0..95, |node| samples[node + 2][k] = at[node]);
+        const_for!(0..2, |step| {
+            let (mut before, mut after) = (0.0, 0.0);
+            const_for!(0..6, |i| {
                 before += BEYOND[step][i] as f64 * at[i] as f64;
                 after += BEYOND[step][i] as f64 * at[94 - i] as f64;
-                i += 1;
-            }
+            });
             samples[1 - step][k] = before as f32;
             samples[97 + step][k] = after as f32;
-            step += 1;
-        }
-        k += 1;
-    }
+        });
+    });
     samples
 };
 
@@ -131,16 +123,10 @@ static BLACK_BODY_COLORS: [[Colors; TERMS]; 2] =
 static DAYLIGHT_COLORS: [Colors; 3] = {
     let parts = [S0, S1, S2];
     let mut lights = [[0.0; 471]; 3];
-    let mut m = 0;
-    while m < 3 {
+    const_for!(0..3, |m| {
         let fine: Fine<Power> = parts[m].fine();
-        let mut nm = 0;
-        while nm < 471 {
-            lights[m][nm] = fine.values()[nm] as f64;
-            nm += 1;
-        }
-        m += 1;
-    }
+        const_for!(0..471, |nm| lights[m][nm] = fine.values()[nm] as f64);
+    });
     colors(&lights, &CIE_1931, &TCS)
 };
 
@@ -151,24 +137,17 @@ const fn colors<const M: usize>(
     samples: &[Fine<Factor>; 15],
 ) -> [Colors; M] {
     let mut colors = [[[0.0; 16]; 3]; M];
-    let mut m = 0;
-    while m < M {
-        let mut c = 0;
-        while c < 3 {
-            let mut k = 0;
-            while k < 16 {
-                let (mut sum, mut nm) = (0.0, 0);
-                while nm < 471 {
+    const_for!(0..M, |m| {
+        const_for!(0..3, |c| {
+            const_for!(0..16, |k| {
+                let mut sum = 0.0;
+                const_for!(0..471, |nm| {
                     let share = if k < 15 { samples[k].values()[nm] as f64 } else { 1.0 };
                     sum += lights[m][nm] * eye.weights()[c][nm] as f64 * share;
-                    nm += 1;
-                }
+                });
                 colors[m][c][k] = sum as f32;
-                k += 1;
-            }
-            c += 1;
-        }
-        m += 1;
-    }
+            });
+        });
+    });
     colors
 }

@@ -7,6 +7,7 @@
 
 mod backend;
 mod complex;
+mod const_for;
 mod double;
 mod fast;
 #[cfg(feature = "libm")]
@@ -14,6 +15,7 @@ mod libm;
 mod limits;
 #[cfg(feature = "micromath")]
 mod micromath;
+mod operators;
 mod roots;
 
 #[cfg(all(feature = "std", not(target_os = "none")))]
@@ -24,9 +26,11 @@ mod vsqrt;
 
 pub use backend::Math;
 pub use complex::Complex;
+pub(crate) use const_for::const_for;
 pub(crate) use double::Double;
 pub use fast::Fast;
 pub(crate) use limits::{at_least, at_most};
+pub(crate) use operators::{assigning_operator, linear_operators, operator};
 pub(crate) use roots::sqrt_by_digits;
 pub use roots::{cbrt, sqrt};
 pub use turns::{cos as cos_turns, sin as sin_turns};

@@ -1,6 +1,7 @@
 //! The eyes that CIE has tabulated, as published; constants made from the files in `tables/`.
 
 use crate::grid::{Bands, Grid, Nodes};
+use crate::math::const_for;
 use crate::observer::{Curve, FineObserver, Observer};
 use crate::spectrum::{Interpolation, Power, Spectrum};
 
@@ -99,16 +100,12 @@ impl<const N: usize, G: StandardObserver<N>> Observer<3, N, Power, G> {
 
 const fn cones(table: &[Spectrum<Power, 89, Nodes<390, 830>>; 3]) -> FineObserver<3> {
     let mut rows = [[0.0; 471]; 3];
-    let mut c = 0;
-    while c < 3 {
+    const_for!(0..3, |c| {
         let fine: Spectrum<Power, 471, Nodes<360, 830>> = table[c].interpolate(Interpolation::Sprague);
-        let mut k = 0;
-        while k < 471 {
+        const_for!(0..471, |k| {
             let value = fine.values()[k];
             rows[c][k] = if value < 0.0 { 0.0 } else { value };
-            k += 1;
-        }
-        c += 1;
-    }
+        });
+    });
     Observer::from_rows(rows)
 }

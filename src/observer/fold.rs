@@ -6,6 +6,7 @@
 //! color of the light itself (a white surface) is the same number at every N.
 
 use crate::grid::{Grid, Layout};
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::Quantity;
 
@@ -46,21 +47,15 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
         // A cell as wide as half a bin is no point any more.
         let fine = Layout::<G, N>::WIDTH * 2.0 <= Layout::<H, M>::WIDTH;
         let mut weights = [[0.0; M]; C];
-        let mut c = 0;
-        while c < C {
+        const_for!(0..C, |c| {
             let folded: [f64; M] = match curve {
                 Curve::Step => Moments::of_cells::<N, G, H>(&self.0[c]).mass,
                 Curve::Parabola => Moments::of_cells::<N, G, H>(&self.0[c]).parabola(),
                 Curve::Spline if fine => Moments::of_points::<N, G, H>(&self.0[c]).spline(),
                 Curve::Spline => Moments::of_cells::<N, G, H>(&self.0[c]).spline(),
             };
-            let mut k = 0;
-            while k < M {
-                weights[c][k] = round(folded[k]);
-                k += 1;
-            }
-            c += 1;
-        }
+            const_for!(0..M, |k| weights[c][k] = round(folded[k]));
+        });
         Observer::from_weights(weights)
     }
 }
@@ -84,23 +79,20 @@ impl<const M: usize> Moments<M> {
     /// Each fine weight at a point: its node, or the outer edge if that lies outside.
     const fn of_points<const N: usize, G: Grid, H: Grid>(row: &[f32; N]) -> Self {
         let mut moments = Self::NONE;
-        let mut n = 0;
-        while n < N {
+        const_for!(0..N, |n| {
             let node = Layout::<G, N>::START + (n as f64 + 0.5) * Layout::<G, N>::WIDTH;
             let (bin, t) = Self::place(bins_from_start::<M, H>(node));
             moments.mass[bin] += row[n] as f64;
             moments.first[bin] += row[n] as f64 * t;
             moments.second[bin] += row[n] as f64 * t * t;
-            n += 1;
-        }
+        });
         moments
     }
 
     /// Each fine weight spread evenly over its cell, which may lie across edges of bins.
     const fn of_cells<const N: usize, G: Grid, H: Grid>(row: &[f32; N]) -> Self {
         let mut moments = Self::NONE;
-        let mut n = 0;
-        while n < N {
+        const_for!(0..N, |n| {
             let start = Layout::<G, N>::START + n as f64 * Layout::<G, N>::WIDTH;
             let low = bins_from_start::<M, H>(start);
             let high = bins_from_start::<M, H>(start + Layout::<G, N>::WIDTH);
@@ -119,8 +111,7 @@ impl<const M: usize> Moments<M> {
                 moments.add_piece(density, from, to);
                 from = to;
             }
-            n += 1;
-        }
+        });
         moments
     }
 
@@ -154,8 +145,7 @@ impl<const M: usize> Moments<M> {
         if M < 3 {
             return if M == 2 { self.line() } else { weights };
         }
-        let mut k = 0;
-        while k < M {
+        const_for!(0..M, |k| {
             let (middle, shift) = if k == 0 {
                 (1, -1.0)
             } else if k == M - 1 {
@@ -172,8 +162,7 @@ impl<const M: usize> Moments<M> {
             weights[middle] += self.mass[k] - 2.0 * bend;
             weights[middle - 1] += bend - slope;
             weights[middle + 1] += bend + slope;
-            k += 1;
-        }
+        });
         weights
     }
 
@@ -193,33 +182,25 @@ impl<const M: usize> Moments<M> {
     const fn spline(&self) -> [f64; M] {
         // g at the edge below bin i, for i in 1..M.
         let mut g = [0.0; M];
-        let mut i = 1;
-        while i < M {
-            g[i] = self.below(i - 1) + self.above(i);
-            i += 1;
-        }
+        const_for!(1..M, |i| g[i] = self.below(i - 1) + self.above(i));
         // T is symmetric: eliminate upwards, then substitute back.
         let mut pivot = [4.0; M];
-        i = 2;
-        while i < M {
+        const_for!(2..M, |i| {
             let factor = 1.0 / pivot[i - 1];
             pivot[i] -= factor;
             g[i] -= factor * g[i - 1];
-            i += 1;
-        }
-        i = M;
+        });
+        let mut i = M;
         while i > 1 {
             i -= 1;
             let next = if i + 1 < M { g[i + 1] } else { 0.0 };
             g[i] = (g[i] - next) / pivot[i];
         }
         let mut weights = self.mass;
-        i = 1;
-        while i < M {
+        const_for!(1..M, |i| {
             weights[i] += 6.0 * g[i];
             weights[i - 1] -= 6.0 * g[i];
-            i += 1;
-        }
+        });
         weights
     }
 

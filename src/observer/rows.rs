@@ -1,6 +1,7 @@
 //! An observer: C rows of N weights, one for each number it reports.
 
-use crate::grid::{Bands, Bins, Grid, Layout, Nodes};
+use crate::grid::{Bands, Bins, Grid, Layout, Nodes, by_fields};
+use crate::math::const_for;
 use crate::observer::Stimulus;
 use crate::spectrum::{Factor, Power, Quantity, Spectrum};
 use crate::sum;
@@ -39,25 +40,7 @@ pub struct Observer<const C: usize, const N: usize, Q = Factor, G = Bins<380, 73
 /// An observer on the CIE's own grid, 360..=830 nm in steps of 1 nm.
 pub type FineObserver<const C: usize, Q = Power> = Observer<C, 471, Q, Nodes<360, 830>>;
 
-impl<const C: usize, const N: usize, Q, G> Clone for Observer<C, N, Q, G> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<const C: usize, const N: usize, Q, G> Copy for Observer<C, N, Q, G> {}
-
-impl<const C: usize, const N: usize, Q, G> PartialEq for Observer<C, N, Q, G> {
-    fn eq(&self, other: &Self) -> bool {
-        self.0 == other.0
-    }
-}
-
-impl<const C: usize, const N: usize, Q, G> core::fmt::Debug for Observer<C, N, Q, G> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_tuple("Observer").field(&self.0).finish()
-    }
-}
+by_fields!([const C: usize, const N: usize, Q, G] Observer<C, N, Q, G>, "Observer": 0);
 
 impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> {
     /// From responsivities at the bins of the grid: what each channel reports for each nanometer
@@ -69,15 +52,9 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
     #[must_use]
     pub const fn from_rows(rows: [[f32; N]; C]) -> Self {
         let mut weights = rows;
-        let mut c = 0;
-        while c < C {
-            let mut k = 0;
-            while k < N {
-                weights[c][k] = rows[c][k] * Layout::<G, N>::STEP;
-                k += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..N, |k| weights[c][k] = rows[c][k] * Layout::<G, N>::STEP);
+        });
         Self::from_weights(weights)
     }
 }
@@ -101,15 +78,9 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Bands> Observer<C, N, Q, G>
     #[must_use]
     pub const fn scaled(&self, k: f64) -> Self {
         let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            let mut n = 0;
-            while n < N {
-                weights[c][n] = (weights[c][n] as f64 * k) as f32;
-                n += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..N, |n| weights[c][n] = (weights[c][n] as f64 * k) as f32);
+        });
         Self::from_weights(weights)
     }
 
@@ -118,20 +89,13 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Bands> Observer<C, N, Q, G>
     #[must_use]
     pub const fn mixed<const D: usize>(&self, matrix: &[[f32; C]; D]) -> Observer<D, N, Q, G> {
         let mut weights = [[0.0; N]; D];
-        let mut d = 0;
-        while d < D {
-            let mut n = 0;
-            while n < N {
-                let (mut sum, mut c) = (0.0, 0);
-                while c < C {
-                    sum += matrix[d][c] as f64 * self.0[c][n] as f64;
-                    c += 1;
-                }
+        const_for!(0..D, |d| {
+            const_for!(0..N, |n| {
+                let mut sum = 0.0;
+                const_for!(0..C, |c| sum += matrix[d][c] as f64 * self.0[c][n] as f64);
                 weights[d][n] = sum as f32;
-                n += 1;
-            }
-            d += 1;
-        }
+            });
+        });
         Observer::from_weights(weights)
     }
 
@@ -139,15 +103,9 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Bands> Observer<C, N, Q, G>
     #[must_use]
     pub const fn row_sums(&self) -> [f64; C] {
         let mut sums = [0.0; C];
-        let mut c = 0;
-        while c < C {
-            let mut n = 0;
-            while n < N {
-                sums[c] += self.0[c][n] as f64;
-                n += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..N, |n| sums[c] += self.0[c][n] as f64);
+        });
         sums
     }
 }
@@ -193,15 +151,9 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
 
     const fn times(&self, factors: &[f32; N]) -> [[f32; N]; C] {
         let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            let mut n = 0;
-            while n < N {
-                weights[c][n] *= factors[n];
-                n += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..N, |n| weights[c][n] *= factors[n]);
+        });
         weights
     }
 }

@@ -2,9 +2,10 @@
 
 use crate::geometry::Integrand;
 use crate::grid::{Bands, Kind};
+use crate::math::linear_operators;
 use crate::spectrum::Light;
 use core::fmt;
-use core::ops::{Add, Mul, Sub};
+use core::ops::{Neg, Sub};
 
 /// What [`Flux`](crate::radiometry::Flux) and its relatives can carry: [`Radiant`], [`Luminous`] or [`Scotopic`]
 /// numbers, or a whole spectrum, [`Light`].
@@ -12,7 +13,7 @@ use core::ops::{Add, Mul, Sub};
     message = "`{Self}` is nothing that a flux carries",
     note = "use `Radiant`, `Luminous`, `Scotopic`, or `Light<N, G>` for a spectrum or an RGB"
 )]
-pub trait Carried: Integrand + Sub<Output = Self> + sealed::Sealed {
+pub trait Carried: Integrand + Sub<Output = Self> + Neg<Output = Self> + sealed::Sealed {
     /// The column of the table of units.
     #[doc(hidden)]
     const UNITS: Units;
@@ -66,25 +67,9 @@ macro_rules! number {
             }
         }
 
-        impl Add for $name {
-            type Output = Self;
-            fn add(self, other: Self) -> Self {
-                $name(self.0 + other.0)
-            }
-        }
-
-        impl Sub for $name {
-            type Output = Self;
-            fn sub(self, other: Self) -> Self {
-                $name(self.0 - other.0)
-            }
-        }
-
-        impl Mul<f32> for $name {
-            type Output = Self;
-            fn mul(self, k: f32) -> Self {
-                $name(self.0 * k)
-            }
+        linear_operators! {
+            [] $name, $name(0.0);
+            |a, b| { $name(a.0 + b.0) } { $name(a.0 - b.0) } { $name(a.0 * b) } { $name(a.0 / b) } { $name(-a.0) }
         }
 
         impl fmt::Display for $name {

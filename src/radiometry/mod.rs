@@ -4,7 +4,8 @@
 //! Six quantities, [`Energy`], [`Flux`], [`Intensity`], [`Irradiance`], [`Exitance`] and [`Radiance`], carry
 //! [`Radiant`] (watts), [`Luminous`] (lumens) or [`Scotopic`] numbers, or a whole spectrum in watts for each
 //! nanometer: `Irradiance<Light<16>>` is a spectral irradiance, `Irradiance<Luminous>` (or [`Lux`]) an illuminance.
-//! They follow from each other by distance, area, solid angle and cosine; quantities and units that do not belong
+//! They follow from each other by distance, area, solid angle and cosine, and radiance from irradiance by a BRDF
+//! ([`PerSr`]); a quotient by zero is the largest f32, by a relation as by `/`; quantities and units that do not belong
 //! together do not compile. (Which eye counts the lumens of a spectrum is the caller's word: `luminous_by` takes any
 //! observer of one row for V(lambda).)
 //!
@@ -47,4 +48,5 @@ pub use element::SurfaceElement;
 pub use quantity::{
     Candela, Energy, Exitance, Flux, Intensity, Irradiance, Lumen, Lux, Nit, Radiance, Talbot,
 };
+pub use relations::PerSr;
 pub use source::{DiskSource, PointSource, RectangleSource, SphereSource};

@@ -1,18 +1,18 @@
 //! The quantities of radiometry as types: what is added must be of one kind.
 
 use crate::grid::{Bands, Grid};
+use crate::math::{assigning_operator, linear_operators, operator};
 use crate::observer::{KM, KM_SCOTOPIC, Observer, V_PHOTOPIC, V_SCOTOPIC};
 use crate::radiometry::carried::Units;
+use crate::radiometry::relations::over;
 use crate::radiometry::{Carried, Luminous, Radiant, Scotopic};
 use crate::spectrum::{Factor, Fine, Light, Power, Spectrum};
 use core::fmt;
-use core::iter::Sum;
-use core::ops::{Add, AddAssign, Div, Mul, Sub};
 
 macro_rules! quantity {
     ($(#[$doc:meta])* $name:ident: $radiant:literal, $luminous:literal, $scotopic:literal, $spectral:literal) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[repr(transparent)]
         pub struct $name<V>(V);
@@ -42,52 +42,19 @@ macro_rules! quantity {
             }
         }
 
-        impl<V: Carried> Add for $name<V> {
-            type Output = Self;
-            fn add(self, other: Self) -> Self {
-                $name(self.0 + other.0)
-            }
+        linear_operators! {
+            [V: Carried] $name<V>, Self::NONE;
+            |a, b| { $name(a.0 + b.0) } { $name(a.0 - b.0) } { $name(a.0 * *b) } { $name(over(a.0, *b)) } { $name(-a.0) }
         }
 
-        impl<V: Carried> AddAssign for $name<V> {
-            fn add_assign(&mut self, other: Self) {
-                self.0 = self.0 + other.0;
-            }
+        // What a filter lets through, what a surface sends back.
+        assigning_operator! {
+            [const N: usize, G: Bands] Mul mul MulAssign mul_assign
+            |a: $name<Light<N, G>>, b: Spectrum<Factor, N, G>| { $name(a.0 * b) }
         }
-
-        impl<V: Carried> Sub for $name<V> {
-            type Output = Self;
-            fn sub(self, other: Self) -> Self {
-                $name(self.0 - other.0)
-            }
-        }
-
-        impl<V: Carried> Mul<f32> for $name<V> {
-            type Output = Self;
-            fn mul(self, k: f32) -> Self {
-                $name(self.0 * k)
-            }
-        }
-
-        impl<V: Carried> Div<f32> for $name<V> {
-            type Output = Self;
-            fn div(self, k: f32) -> Self {
-                $name(self.0.map(|value| value / k))
-            }
-        }
-
-        impl<V: Carried> Sum for $name<V> {
-            fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
-                parts.fold(Self::NONE, Add::add)
-            }
-        }
-
-        impl<const N: usize, G: Bands> Mul<Spectrum<Factor, N, G>> for $name<Light<N, G>> {
-            type Output = Self;
-            /// What a filter lets through, what a surface sends back.
-            fn mul(self, factor: Spectrum<Factor, N, G>) -> Self {
-                $name(self.0 * factor)
-            }
+        operator! {
+            [const N: usize, G: Bands] Mul mul
+            |a: Spectrum<Factor, N, G>, b: $name<Light<N, G>>| -> $name<Light<N, G>> { $name(b.0 * a) }
         }
 
         impl<V: Carried + fmt::Display> fmt::Display for $name<V> {

@@ -1,12 +1,17 @@
 //! How the quantities follow from each other: time, area, solid angle, distance and the cosine.
 //!
 //! A cosine is that between the normal of a surface and the direction to or from it: at or below zero the
-//! light is behind the surface and counts nothing. What a quotient by zero would make infinite is the
-//! largest f32 instead, so that no light stays no light.
+//! light is behind the surface and counts nothing. One rule holds for every quotient, by a relation or by `/`: what a
+//! division by zero would make infinite is the largest f32 instead, so that no light stays no light wherever it is
+//! multiplied, and nothing over nothing is nothing.
 
 use crate::geometry::{Direction, Hemisphere};
+use crate::math::operator;
+use crate::matter::Brdf;
+use crate::matter::scattering::{self, Quadrature};
 use crate::radiometry::{Carried, Energy, Exitance, Flux, Intensity, Irradiance, Radiance};
 use core::f32::consts::{FRAC_1_PI, PI};
+use core::ops::Mul;
 
 /// A cosine where it is positive; 0 behind the surface; NaN stays.
 pub(super) fn in_front(cos_theta: f32) -> f32 {
@@ -14,16 +19,20 @@ pub(super) fn in_front(cos_theta: f32) -> f32 {
 }
 
 /// The largest f32 for what is larger; NaN stays.
+#[inline]
 pub(super) fn finite(x: f32) -> f32 {
     if x.is_infinite() { f32::MAX.copysign(x) } else { x }
 }
 
 /// A quotient that is always finite: nothing over anything is nothing.
+#[inline]
 pub(super) fn ratio(part: f32, whole: f32) -> f32 {
     if part == 0.0 && whole == 0.0 { 0.0 } else { finite(part / whole) }
 }
 
-fn over<V: Carried>(value: V, whole: f32) -> V {
+/// A quantity over a number.
+#[inline]
+pub(super) fn over<V: Carried>(value: V, whole: f32) -> V {
     value.map(|part| ratio(part, whole))
 }
 
@@ -170,7 +179,58 @@ impl<V: Carried> Exitance<V> {
     }
 }
 
+/// For each steradian: the value of a [`Brdf`], which makes radiance of irradiance. (A reflectance is a share without a
+/// unit, and a BRDF's value is not; their types are one, so it is said here.)
+///
+/// ```
+/// use nanospectra::geometry::Direction;
+/// use nanospectra::matter::{Brdf, Lambert};
+/// use nanospectra::radiometry::{Irradiance, PerSr, Radiance};
+/// use nanospectra::{Light, Reflectance};
+/// let f = Lambert(Reflectance::<16>::flat(0.5)).f(Direction::NORMAL, Direction::NORMAL);
+/// let leaving: Radiance<Light<16>> = Irradiance::new(Light::flat(2.0)) * PerSr(f);
+/// assert_eq!(leaving.value(), Light::flat(core::f32::consts::FRAC_1_PI));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[repr(transparent)]
+pub struct PerSr<V>(pub V);
+
+operator! {
+    [V: Carried + Mul<F, Output = V>, F: Copy] Mul mul
+    |e: Irradiance<V>, f: PerSr<F>| -> Radiance<V> { Radiance::new(e.value() * f.0) }
+}
+
+operator! {
+    [V: Carried + Mul<F, Output = V>, F: Copy] Mul mul
+    |f: PerSr<F>, e: Irradiance<V>| -> Radiance<V> { Radiance::new(e.value() * f.0) }
+}
+
 impl<V: Carried> Radiance<V> {
+    /// The scattering equation: what leaves a surface towards `wo`, where `arriving` comes from the hemisphere above it
+    /// ([`scattered`](crate::matter::scattering::scattered), with units).
+    ///
+    /// ```
+    /// use nanospectra::geometry::{Direction, GaussLegendre};
+    /// use nanospectra::matter::Lambert;
+    /// use nanospectra::radiometry::Radiance;
+    /// use nanospectra::{Light, Reflectance};
+    /// // Gray paper under an even sky is half as bright as that.
+    /// let (sky, paper) = (Radiance::new(Light::<16>::flat(3.0)), Lambert(Reflectance::flat(0.5)));
+    /// let leaving = Radiance::scattered(&paper, Direction::NORMAL, &GaussLegendre::<4, 1>, |_wi| sky);
+    /// assert!((leaving.value()[0] - 1.5).abs() < 1e-6);
+    /// ```
+    pub fn scattered<B: Brdf>(
+        brdf: &B,
+        wo: Direction,
+        quadrature: &impl Quadrature<B>,
+        mut arriving: impl FnMut(Direction) -> Radiance<V>,
+    ) -> Self
+    where
+        V: Mul<B::Value, Output = V>,
+    {
+        Radiance::new(scattering::scattered(brdf, wo, quadrature, |wi| arriving(wi).value()))
+    }
+
     /// The exitance of a Lambertian emitter: M = pi L (and not 2 pi L: of each direction only the cosine leaves).
     #[must_use]
     pub fn exitance(self) -> Exitance<V> {

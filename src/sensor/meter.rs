@@ -1,6 +1,7 @@
 //! A light meter: raw counts to color in one pass over the channels.
 
 use crate::color::Xyz;
+use crate::math::const_for;
 use crate::sensor::calibrate::positive;
 use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 
@@ -34,15 +35,9 @@ impl<const C: usize> Meter<C> {
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Self {
         let mut columns = [[0.0; 3]; C];
-        let mut c = 0;
-        while c < C {
-            let mut d = 0;
-            while d < 3 {
-                columns[c][d] = calibration.rows()[d][c] * exposure.per_count();
-                d += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..3, |d| columns[c][d] = calibration.rows()[d][c] * exposure.per_count());
+        });
         Meter { columns, start: [0.0; 3], full_scale: exposure.full_scale(), floor: exposure.floor() }
     }
 
@@ -54,16 +49,10 @@ impl<const C: usize> Meter<C> {
         calibration: &Calibration<C>,
     ) -> Self {
         let mut meter = Self::new(exposure, calibration);
-        let mut c = 0;
-        while c < C {
+        const_for!(0..C, |c| {
             meter.floor += dark_levels[c];
-            let mut d = 0;
-            while d < 3 {
-                meter.start[d] -= meter.columns[c][d] * dark_levels[c];
-                d += 1;
-            }
-            c += 1;
-        }
+            const_for!(0..3, |d| meter.start[d] -= meter.columns[c][d] * dark_levels[c]);
+        });
         meter
     }
 
@@ -80,16 +69,10 @@ impl<const C: usize> Meter<C> {
     /// ```
     #[must_use]
     pub const fn scaled(mut self, k: f32) -> Self {
-        let mut d = 0;
-        while d < 3 {
+        const_for!(0..3, |d| {
             self.start[d] *= k;
-            let mut c = 0;
-            while c < C {
-                self.columns[c][d] *= k;
-                c += 1;
-            }
-            d += 1;
-        }
+            const_for!(0..C, |c| self.columns[c][d] *= k);
+        });
         self
     }
 

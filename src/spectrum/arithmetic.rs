@@ -1,61 +1,172 @@
-//! Light adds, scales, and is weakened by factors.
+//! What spectra can do, bin by bin: lights add, factors weaken them, and what compares two of them is a factor.
 
 use crate::grid::Bands;
-use crate::spectrum::{Factor, Spectrum};
-use core::ops::{Add, AddAssign, Mul, MulAssign, Sub};
+#[cfg(feature = "libm")]
+use crate::math::Portable;
+use crate::math::{Math, assigning_operator, at_least, at_most, linear_operators, operator, sqrt};
+use crate::spectrum::{Factor, Power, Spectrum};
+use core::ops::{Index, IndexMut};
 
-impl<Q, const N: usize, G: Bands> Add for Spectrum<Q, N, G> {
-    type Output = Self;
-    /// Two lights shining at once (or two shares added).
-    fn add(mut self, other: Self) -> Self {
-        self += other;
-        self
-    }
-}
-
-impl<Q, const N: usize, G: Bands> AddAssign for Spectrum<Q, N, G> {
-    fn add_assign(&mut self, other: Self) {
-        for (a, b) in self.0.iter_mut().zip(&other.0) {
-            *a += b;
+impl<Q, const N: usize, G> Spectrum<Q, N, G> {
+    /// Each bin with that of another, by a function.
+    #[inline(always)]
+    fn zip<P, R>(&self, other: &Spectrum<P, N, G>, f: impl Fn(f32, f32) -> f32) -> Spectrum<R, N, G> {
+        let mut values = self.0;
+        for (value, other) in values.iter_mut().zip(&other.0) {
+            *value = f(*value, *other);
         }
+        Spectrum::unchecked(values)
+    }
+
+    /// Each bin by a function.
+    #[inline(always)]
+    pub(super) fn each(&self, f: impl Fn(f32) -> f32) -> Self {
+        let mut values = self.0;
+        values.iter_mut().for_each(|value| *value = f(*value));
+        Spectrum::unchecked(values)
     }
 }
 
-impl<Q, const N: usize, G: Bands> Sub for Spectrum<Q, N, G> {
-    type Output = Self;
-    /// What one has more than the other: dark reading off, for example.
-    fn sub(mut self, other: Self) -> Self {
-        for (a, b) in self.0.iter_mut().zip(&other.0) {
-            *a -= b;
-        }
-        self
+// Two lights shining at once, what one has more than the other, as much of it.
+linear_operators! {
+    [Q, const N: usize, G: Bands] Spectrum<Q, N, G>, Spectrum::flat(0.0);
+    |a, b| { a.zip(b, |a, b| a + b) } { a.zip(b, |a, b| a - b) }
+    { a.each(|a| a * b) } { a.each(|a| a / b) } { a.each(|a| -a) }
+}
+
+// Light through a filter or off a surface, or two filters in a row; and what was there before.
+assigning_operator! {
+    [Q, const N: usize, G: Bands] Mul mul MulAssign mul_assign
+    |a: Spectrum<Q, N, G>, b: Spectrum<Factor, N, G>| { a.zip(b, |a, b| a * b) }
+}
+assigning_operator! {
+    [Q, const N: usize, G: Bands] Div div DivAssign div_assign
+    |a: Spectrum<Q, N, G>, b: Spectrum<Factor, N, G>| { a.zip(b, |a, b| a / b) }
+}
+operator! {
+    [const N: usize, G: Bands] Mul mul
+    |a: Spectrum<Factor, N, G>, b: Spectrum<Power, N, G>| -> Spectrum<Power, N, G> { b.zip(a, |b, a| b * a) }
+}
+// What of a light is left.
+operator! {
+    [const N: usize, G: Bands] Div div
+    |a: Spectrum<Power, N, G>, b: Spectrum<Power, N, G>| -> Spectrum<Factor, N, G> { a.zip(b, |a, b| a / b) }
+}
+
+/// Nothing in every bin.
+impl<Q, const N: usize, G: Bands> Default for Spectrum<Q, N, G> {
+    fn default() -> Self {
+        Spectrum::flat(0.0)
     }
 }
 
-impl<Q, const N: usize, G: Bands> Mul<f32> for Spectrum<Q, N, G> {
-    type Output = Self;
-    /// Every bin times one number.
-    fn mul(mut self, k: f32) -> Self {
-        self *= k;
-        self
+/// The value of bin `k`. Panics for `k >= N`, as arrays do; [`values`](Spectrum::values)`().get(k)` does not.
+impl<Q, const N: usize, G> Index<usize> for Spectrum<Q, N, G> {
+    type Output = f32;
+
+    #[inline]
+    fn index(&self, k: usize) -> &f32 {
+        &self.0[k]
     }
 }
 
-impl<Q, const N: usize, G: Bands> MulAssign<f32> for Spectrum<Q, N, G> {
-    fn mul_assign(&mut self, k: f32) {
-        for value in &mut self.0 {
-            *value *= k;
-        }
+/// The value of bin `k`, to write to; panics as reading does.
+impl<Q, const N: usize, G> IndexMut<usize> for Spectrum<Q, N, G> {
+    #[inline]
+    fn index_mut(&mut self, k: usize) -> &mut f32 {
+        &mut self.0[k]
     }
 }
 
-impl<Q, const N: usize, G: Bands> Mul<Spectrum<Factor, N, G>> for Spectrum<Q, N, G> {
-    type Output = Self;
-    /// Light through a filter or off a surface; or two filters in a row.
-    fn mul(mut self, factor: Spectrum<Factor, N, G>) -> Self {
-        for (value, k) in self.0.iter_mut().zip(&factor.0) {
-            *value *= k;
-        }
-        self
+/// Functions of all bins. NaN stays NaN, in its bin.
+impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
+    /// Each value held within `low..=high`. (Of crossed limits the upper one holds; nothing panics.)
+    ///
+    /// ```
+    /// # use nanospectra::Reflectance;
+    /// let paint = Reflectance::<3>::from_bins([-0.1, 0.5, f32::NAN]).clamp(0.0, 1.0);
+    /// assert!(paint[0] == 0.0 && paint[1] == 0.5 && paint[2].is_nan());
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn clamp(&self, low: f32, high: f32) -> Self {
+        self.each(|value| at_most(at_least(value, low), high))
+    }
+
+    /// The way from this (`t` = 0) to another (`t` = 1) in a straight line, exact at both ends.
+    ///
+    /// ```
+    /// # use nanospectra::Light;
+    /// assert_eq!(Light::<16>::flat(2.0).lerp(&Light::flat(4.0), 0.25), Light::flat(2.5));
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn lerp(&self, other: &Self, t: f32) -> Self {
+        self.zip(other, |a, b| (1.0 - t) * a + t * b)
+    }
+
+    /// The larger value of each bin; NaN where either is. (The largest of all bins is [`peak`](Self::peak).)
+    ///
+    /// ```
+    /// # use nanospectra::Light;
+    /// let (a, b) = (Light::<3>::from_bins([1.0, 2.0, f32::NAN]), Light::from_bins([3.0, 0.5, 1.0]));
+    /// assert!(a.max(&b).values()[..2] == [3.0, 2.0] && a.max(&b)[2].is_nan() && b.max(&a)[2].is_nan());
+    /// assert!(a.min(&b).values()[..2] == [1.0, 0.5] && a.min(&b)[2].is_nan() && b.min(&a)[2].is_nan());
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn max(&self, other: &Self) -> Self {
+        self.zip(other, |a, b| if a > b || a.is_nan() { a } else { b })
+    }
+
+    /// The smaller value of each bin; NaN where either is.
+    #[must_use]
+    #[inline]
+    pub fn min(&self, other: &Self) -> Self {
+        self.zip(other, |a, b| if a < b || a.is_nan() { a } else { b })
+    }
+
+    /// Is it nothing at all? Not where a value is NaN.
+    ///
+    /// ```
+    /// # use nanospectra::Light;
+    /// assert!(Light::<16>::default().is_black() && !Light::<16>::flat(1e-30).is_black());
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn is_black(&self) -> bool {
+        self.0.iter().all(|value| *value == 0.0)
+    }
+}
+
+impl<const N: usize, G: Bands> Spectrum<Factor, N, G> {
+    /// The square root of each value, correctly rounded: half the thickness of a filter. NaN below 0.
+    ///
+    /// ```
+    /// # use nanospectra::Reflectance;
+    /// assert_eq!(Reflectance::<16>::flat(0.25).sqrt(), Reflectance::flat(0.5));
+    /// ```
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
+        self.each(sqrt)
+    }
+
+    /// e to each value: the transmittance of a medium is `(-depth).exp()`.
+    ///
+    /// ```
+    /// # use nanospectra::Reflectance;
+    /// let depth = Reflectance::<16>::flat(1.0);
+    /// assert!(((-depth).exp()[0] - 0.367_879_4).abs() < 1e-7);
+    /// ```
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub fn exp(&self) -> Self {
+        self.exp_with::<Portable>()
+    }
+
+    /// [`exp`](Self::exp) on another math backend.
+    #[must_use]
+    pub fn exp_with<M: Math>(&self) -> Self {
+        self.each(M::exp)
     }
 }

@@ -12,9 +12,8 @@ impl<Q, const N: usize, G: Bands> Integrand for Spectrum<Q, N, G> {
         sums.zip(value.values()).for_each(|((sum, lost), value)| sum.accumulate(lost, value));
     }
 
-    fn map(mut self, f: impl Fn(f32) -> f32) -> Self {
-        self.values_mut().iter_mut().for_each(|value| *value = f(*value));
-        self
+    fn map(self, f: impl Fn(f32) -> f32) -> Self {
+        self.each(f)
     }
 
     fn peak(&self) -> f32 {

@@ -14,6 +14,19 @@ use core::marker::PhantomData;
 ///
 /// `N * 4` bytes, nothing else; `Copy`, but pass it by reference.
 ///
+/// # Operators
+/// Bin by bin, by value, by reference and assigning: `+ -`, times and over numbers and factors, unary minus, sums; a light
+/// over a light is a factor. `spectrum[k]` is bin `k`, and panics beyond the last.
+///
+/// ```
+/// # use nanospectra::{Light, Reflectance};
+/// let (lamp, glass) = (Light::<16>::flat(2.0), Reflectance::<16>::flat(0.5));
+/// let mut both = &lamp + 0.5 * lamp - lamp / 4.0; // 2 + 1 - 0.5
+/// both *= &glass;
+/// assert_eq!((both, both / lamp, both[15]), (glass * Light::flat(2.5), Reflectance::flat(0.625), 1.25));
+/// assert_eq!([lamp, -both].iter().sum::<Light<16>>(), Light::flat(0.75));
+/// ```
+///
 /// ```
 /// # use nanospectra::Light;
 /// let lamp = [(400.0, 1.0), (500.0, 3.0), (700.0, 1.0)];

@@ -14,6 +14,9 @@ use core::arch::x86_64 as x86;
 /// All rows against one spectrum, up to four in a pass.
 #[inline]
 pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
+    if N <= 4 {
+        return rows.each_ref().map(|row| few(row, s));
+    }
     let mut sums = [0.0; C];
     let ((fours, rows), (four_sums, sums_left)) = (rows.as_chunks::<4>(), sums.as_chunks_mut());
     for (sums, rows) in four_sums.iter_mut().zip(fours) {
@@ -26,6 +29,13 @@ pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f3
         _ => {}
     }
     sums
+}
+
+/// Up to four products, as RGB has, without vectors; in the order of [`reduce`](crate::sum::reduce).
+#[inline(always)]
+fn few<const N: usize>(row: &[f32; N], s: &[f32; N]) -> f32 {
+    let at = |k: usize| row.get(k).zip(s.get(k)).map_or(0.0, |(weight, s)| 0.0 + weight * s);
+    (at(0) + at(2)) + (at(1) + at(3))
 }
 
 /// Every spectrum of a batch. With eight lanes the loads are what takes long, so three rows are read once for three

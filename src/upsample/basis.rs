@@ -3,6 +3,7 @@
 use crate::color::matrix::{Matrix64, inverse64, product64};
 use crate::color::{Rgb, RgbSpace, Srgb};
 use crate::grid::{Bins, Grid, Nodes};
+use crate::math::const_for;
 use crate::spectrum::{Factor, Interpolation, Spectrum};
 use crate::upsample::tables::BASIS;
 use crate::upsample::viewing::Viewing;
@@ -54,29 +55,19 @@ impl<const N: usize, G: Grid, S: RgbSpace> Basis<N, G, S> {
         let eye = viewing.eye.weights();
         // XYZ of each spectrum, and what makes those of the primaries of them.
         let (mut seen, mut asked): (Matrix64, Matrix64) = ([[0.0; 3]; 3], [[0.0; 3]; 3]);
-        let mut row = 0;
-        while row < 3 {
-            let mut k = 0;
-            while k < 3 {
+        const_for!(0..3, |row| {
+            const_for!(0..3, |k| {
                 asked[row][k] = viewing.to_xyz[row][k] as f64;
-                let mut n = 0;
-                while n < N {
-                    seen[row][k] += eye[row][n] as f64 * spectra[k][n];
-                    n += 1;
-                }
-                k += 1;
-            }
-            row += 1;
-        }
+                const_for!(0..N, |n| seen[row][k] += eye[row][n] as f64 * spectra[k][n]);
+            });
+        });
         let mixture = product64(&inverse64(&seen), &asked);
         let (mut red, mut green) = ([0.0; N], [0.0; N]);
-        let mut n = 0;
-        while n < N {
+        const_for!(0..N, |n| {
             let [r, g, b] = [spectra[0][n], spectra[1][n], spectra[2][n]];
             red[n] = (mixture[0][0] * r + mixture[1][0] * g + mixture[2][0] * b) as f32;
             green[n] = (mixture[0][1] * r + mixture[1][1] * g + mixture[2][1] * b) as f32;
-            n += 1;
-        }
+        });
         Basis { red, green, kind: PhantomData }
     }
 
@@ -97,21 +88,17 @@ impl<const N: usize, G: Grid, S: RgbSpace> Basis<N, G, S> {
 /// Red, green and blue at the centers of a grid.
 const fn spectra<const N: usize, G: Grid>() -> [[f64; N]; 3] {
     let mut columns = [[0.0; 81]; 2];
-    let mut k = 0;
-    while k < 81 {
+    const_for!(0..81, |k| {
         columns[0][k] = BASIS[k][0];
         columns[1][k] = BASIS[k][1];
-        k += 1;
-    }
+    });
     let red: Spectrum<Factor, N, G> = on_grid(columns[0]);
     let green: Spectrum<Factor, N, G> = on_grid(columns[1]);
     let mut all = [[0.0; N]; 3];
-    let mut n = 0;
-    while n < N {
+    const_for!(0..N, |n| {
         let (r, g) = (red.values()[n] as f64, green.values()[n] as f64);
         (all[0][n], all[1][n], all[2][n]) = (r, g, 1.0 - r - g);
-        n += 1;
-    }
+    });
     all
 }
 

@@ -4,6 +4,7 @@ use crate::color::Xyz;
 use crate::color::matrix::{Matrix64, apply, apply64, inverse64, rounded, scale_columns64};
 use crate::grid::{Bins, Grid};
 use crate::light::LED_B4_1NM;
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Interpolation, Power, Spectrum};
 
@@ -57,15 +58,9 @@ impl<const N: usize, G: Grid> Display<N, G> {
         let [x, y] = white_xy;
         let amounts = apply64(&inverse64(&seen), [100.0 * x / y, 100.0, 100.0 * (1.0 - x - y) / y]);
         let mut scaled = [[0.0; N]; 3];
-        let mut k = 0;
-        while k < 3 {
-            let mut n = 0;
-            while n < N {
-                scaled[k][n] = (primaries[k].values()[n] as f64 * amounts[k]) as f32;
-                n += 1;
-            }
-            k += 1;
-        }
+        const_for!(0..3, |k| {
+            const_for!(0..N, |n| scaled[k][n] = (primaries[k].values()[n] as f64 * amounts[k]) as f32);
+        });
         let matrix = scale_columns64(&seen, amounts);
         Display {
             primaries: [
@@ -139,19 +134,12 @@ const fn seen<const N: usize, G: Grid>(
     eye: &Observer<3, N, Power, G>,
 ) -> Matrix64 {
     let mut matrix = [[0.0; 3]; 3];
-    let mut row = 0;
-    while row < 3 {
-        let mut k = 0;
-        while k < 3 {
-            let mut n = 0;
-            while n < N {
-                matrix[row][k] += eye.weights()[row][n] as f64 * primaries[k].values()[n] as f64;
-                n += 1;
-            }
-            k += 1;
-        }
-        row += 1;
-    }
+    const_for!(0..3, |row| {
+        const_for!(0..3, |k| {
+            let (weights, values) = (&eye.weights()[row], primaries[k].values());
+            const_for!(0..N, |n| matrix[row][k] += weights[n] as f64 * values[n] as f64);
+        });
+    });
     matrix
 }
 
@@ -160,14 +148,12 @@ const fn bell<Q, const N: usize, G: Grid>(center_nm: f64, half_nm: f64) -> Spect
     // 2^(1/4) - 1
     const HALF: f64 = 0.189_207_115_002_721_07;
     let mut values = [0.0; N];
-    let mut n = 0;
-    while n < N {
+    const_for!(0..N, |n| {
         let d = (Spectrum::<Q, N, G>::center_nm(n) as f64 - center_nm) / half_nm;
         let base = 1.0 + HALF * d * d;
         let square = base * base;
         values[n] = (1.0 / (square * square)) as f32;
-        n += 1;
-    }
+    });
     Spectrum::from_bins(values)
 }
 
@@ -176,10 +162,6 @@ const fn filtered<const N: usize, G: Grid>(
     filter: &Spectrum<Factor, N, G>,
 ) -> Spectrum<Power, N, G> {
     let mut values = [0.0; N];
-    let mut n = 0;
-    while n < N {
-        values[n] = lamp.values()[n] * (0.01 + 0.99 * filter.values()[n]);
-        n += 1;
-    }
+    const_for!(0..N, |n| values[n] = lamp.values()[n] * (0.01 + 0.99 * filter.values()[n]));
     Spectrum::from_bins(values)
 }

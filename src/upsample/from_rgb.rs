@@ -4,6 +4,7 @@ use crate::color::matrix::{Matrix64, apply64, inverse64};
 use crate::color::{Rgb, RgbBands, RgbSpace};
 use crate::grid::{Bands, Grid};
 use crate::light::{S0, S1, S2};
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Interpolation, Outside, Power, Spectrum};
 use crate::upsample::{Sigmoid, Viewing};
@@ -24,21 +25,17 @@ impl<const N: usize, G: Grid, S: RgbSpace> Made<N, G, S> {
             S2.interpolate_outside(Interpolation::Linear, Outside::Hold),
         ];
         let mut seen: Matrix64 = [[0.0; 3]; 3];
-        let mut part = 0;
-        while part < 3 {
+        const_for!(0..3, |part| {
             let xyz = Self::EYE.under(&parts[part]).row_sums();
             (seen[0][part], seen[1][part], seen[2][part]) = (xyz[0], xyz[1], xyz[2]);
-            part += 1;
-        }
+        });
         let [x, y] = S::WHITE;
         let amounts = apply64(&inverse64(&seen), [100.0 * x / y, 100.0, 100.0 * (1.0 - x - y) / y]);
         let mut values = [0.0; N];
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let [a, b, c] = [parts[0].0[k] as f64, parts[1].0[k] as f64, parts[2].0[k] as f64];
             values[k] = (amounts[0] * a + amounts[1] * b + amounts[2] * c) as f32;
-            k += 1;
-        }
+        });
         Spectrum::from_bins(values)
     };
 

@@ -4,6 +4,7 @@
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix64, inverse64};
 use crate::grid::{Bands, Bins, Grid};
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Quantity, Spectrum};
 
@@ -48,31 +49,19 @@ impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
     pub const fn new(eye: &Observer<3, N, Q, G>) -> Self {
         let rows = eye.weights();
         let mut gram: Matrix64 = [[0.0; 3]; 3];
-        let mut i = 0;
-        while i < 3 {
-            let mut j = 0;
-            while j < 3 {
-                let mut n = 0;
-                while n < N {
-                    gram[i][j] += rows[i][n] as f64 * rows[j][n] as f64;
-                    n += 1;
-                }
-                j += 1;
-            }
-            i += 1;
-        }
+        const_for!(0..3, |i| {
+            const_for!(0..3, |j| {
+                const_for!(0..N, |n| gram[i][j] += rows[i][n] as f64 * rows[j][n] as f64);
+            });
+        });
         let inverse = inverse64(&gram);
         let mut dual = [[0.0; N]; 3];
-        i = 0;
-        while i < 3 {
-            let mut n = 0;
-            while n < N {
+        const_for!(0..3, |i| {
+            const_for!(0..N, |n| {
                 let (x, y, z) = (rows[0][n] as f64, rows[1][n] as f64, rows[2][n] as f64);
                 dual[i][n] = (inverse[i][0] * x + inverse[i][1] * y + inverse[i][2] * z) as f32;
-                n += 1;
-            }
-            i += 1;
-        }
+            });
+        });
         CohenR { eye: *eye, dual: Observer::from_weights(dual) }
     }
 

@@ -1,6 +1,7 @@
 //! sigma(q0 x^2 + q1 x + q2): three numbers that are a curve over the wavelength.
 
 use crate::grid::{Grid, Layout};
+use crate::math::const_for;
 use crate::upsample::rsqrt::rsqrt;
 
 /// A smooth curve within 0..=1: the sigmoid of a quadratic in the wavelength.
@@ -94,12 +95,10 @@ pub(super) struct X<G, const N: usize>(core::marker::PhantomData<G>);
 impl<G: Grid, const N: usize> X<G, N> {
     pub(super) const ALL: [f32; N] = {
         let mut all = [0.0; N];
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let center = Layout::<G, N>::START + (k as f64 + 0.5) * Layout::<G, N>::WIDTH;
             all[k] = ((center - CENTER_NM) / REACH_NM) as f32;
-            k += 1;
-        }
+        });
         all
     };
 }

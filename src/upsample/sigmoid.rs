@@ -3,6 +3,7 @@
 use crate::color::matrix::{Matrix64, apply, inverse64, product64, rounded};
 use crate::color::{Rgb, RgbSpace, Srgb, Xyz};
 use crate::grid::{Bins, Grid};
+use crate::math::const_for;
 use crate::upsample::meaning::{SigmoidIlluminant, SigmoidReflectance, SigmoidUnbounded};
 use crate::upsample::newton::{self, Found, Rows};
 use crate::upsample::shape::{Shape, X};
@@ -89,31 +90,21 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         // Each response is scaled to 1 for white.
         let white = viewing.eye.row_sums();
         let (mut normal, mut scale) = (mixture, [0.0; 3]);
-        let mut k = 0;
-        while k < 3 {
+        const_for!(0..3, |k| {
             let sum = mixture[k][0] * white[0] + mixture[k][1] * white[1] + mixture[k][2] * white[2];
             scale[k] = sum as f32;
-            let mut j = 0;
-            while j < 3 {
-                normal[k][j] = mixture[k][j] / sum;
-                j += 1;
-            }
-            k += 1;
-        }
+            const_for!(0..3, |j| normal[k][j] = mixture[k][j] / sum);
+        });
         let mut rows = [[0.0; 4]; N];
-        let mut n = 0;
-        while n < N {
-            let mut k = 0;
-            while k < 3 {
+        const_for!(0..N, |n| {
+            const_for!(0..3, |k| {
                 let m = &normal[k];
                 let (x, y, z) = (eye[0][n] as f64, eye[1][n] as f64, eye[2][n] as f64);
                 let weight = m[0] * x + m[1] * y + m[2] * z;
                 rows[n][k] = if -1e-30 < weight && weight < 1e-30 { 0.0 } else { weight as f32 };
-                k += 1;
-            }
+            });
             rows[n][3] = X::<G, N>::ALL[n];
-            n += 1;
-        }
+        });
         Sigmoid {
             rows,
             response: rounded(&product64(&normal, &widened(&viewing.to_xyz))),

@@ -2,6 +2,7 @@
 
 use crate::color::Rgb;
 use crate::grid::{Bins, Grid, Layout};
+use crate::math::const_for;
 use crate::spectrum::{Factor, Spectrum};
 use crate::upsample::tables::SMITS;
 use core::marker::PhantomData;
@@ -44,16 +45,10 @@ impl<const N: usize, G: Grid> Smits<N, G> {
     #[must_use]
     pub const fn new() -> Self {
         let mut curves = [[0.0; N]; 7];
-        let mut n = 0;
-        while n < N {
+        const_for!(0..N, |n| {
             let low = Layout::<G, N>::START + n as f64 * Layout::<G, N>::WIDTH;
-            let mut c = 0;
-            while c < 7 {
-                curves[c][n] = average(c, low, low + Layout::<G, N>::WIDTH);
-                c += 1;
-            }
-            n += 1;
-        }
+            const_for!(0..7, |c| curves[c][n] = average(c, low, low + Layout::<G, N>::WIDTH));
+        });
         Smits { curves, grid: PhantomData }
     }
 
@@ -88,8 +83,8 @@ impl<const N: usize, G: Grid> Default for Smits<N, G> {
 
 /// The average of a curve's ten steps of 34 nm over `low..high`.
 const fn average(curve: usize, low: f64, high: f64) -> f32 {
-    let (mut sum, mut step) = (0.0, 0);
-    while step < 10 {
+    let mut sum = 0.0;
+    const_for!(0..10, |step| {
         // The outer steps reach as far as it takes.
         let from = if step == 0 { 0.0 } else { 380.0 + 34.0 * step as f64 };
         let to = if step == 9 { 1e7 } else { 380.0 + 34.0 * (step + 1) as f64 };
@@ -98,7 +93,6 @@ const fn average(curve: usize, low: f64, high: f64) -> f32 {
         if from < to {
             sum += (to - from) / (high - low) * SMITS[step][curve] as f64;
         }
-        step += 1;
-    }
+    });
     sum as f32
 }

@@ -24,7 +24,8 @@ fn the_functions_are_the_cells_of_their_files() {
         (&CIE_2015_10, Observer::Cie2015Deg10),
     ];
     // Nothing that the crate names is left out.
-    assert!(eyes.iter().map(|(eye, _)| *eye).eq(NAMED.iter().map(|named| named.functions)));
+    let named = NAMED.iter().map(|named| named.functions);
+    assert!(eyes.iter().map(|(eye, _)| *eye).eq(named), "this list and observer::NAMED");
     for (eye, published) in eyes {
         for (row, published) in eye.weights().iter().zip(published.on_cie_grid()) {
             assert_eq!(row.as_slice(), rounded(&published));

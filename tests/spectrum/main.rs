@@ -7,6 +7,7 @@ mod every_f32;
 mod eyes_and_samples;
 mod hard_cases;
 mod limits;
+mod operators;
 mod reference;
 mod semantics;
 mod tables;

@@ -9,4 +9,6 @@ mod thin_film;
 pub use multilayer::stack_bins;
 pub use multilayer::{Layer, Medium, Stack, stack_bins_with};
 pub use shares::PowerShares;
+#[cfg(feature = "libm")]
+pub use thin_film::FilmOnGrid;
 pub use thin_film::{FilmIndices, ThinFilm};

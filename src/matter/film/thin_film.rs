@@ -1,13 +1,19 @@
 //! A transparent layer thin enough for colors: soap, oil on water, the coating of a lens.
 
+#[cfg(feature = "libm")]
+use crate::grid::Bins;
 use crate::grid::Grid;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Double, Math};
 use crate::matter::PowerShares;
+#[cfg(feature = "libm")]
+use crate::matter::Reflector;
 use crate::matter::film::airy::{Edge, Tilted};
 use crate::matter::film::shares::bins;
 use crate::spectrum::{Factor, Spectrum};
+#[cfg(feature = "libm")]
+use core::marker::PhantomData;
 
 /// The indices of refraction around and in a film: three constants, or a function of the wavelength in nm.
 pub trait FilmIndices {
@@ -199,6 +205,27 @@ impl<I: FilmIndices> ThinFilm<I> {
         PowerShares::averaged(low_nm, high_nm, panels, |nm| self.at_with::<M>(nm, cos_theta))
     }
 
+    /// This film in the bins of a grid, as what facets and mirrors are made of.
+    ///
+    /// ```
+    /// # use nanospectra::Bins;
+    /// use nanospectra::geometry::Direction;
+    /// use nanospectra::matter::{Brdf, Microfacet, ThinFilm, TrowbridgeReitz};
+    /// // An oxide layer on rough titanium, in 31 bins.
+    /// let oxide = ThinFilm::new([1.0, 2.2, 2.7], 60.0).on_grid::<31, Bins<400, 700>>();
+    /// let rough = Microfacet { facets: TrowbridgeReitz::new(0.3), boundary: oxide };
+    /// let f = rough.f(Direction::NORMAL, Direction::NORMAL);
+    /// assert!(f[0] > 0.0 && f[0] != f[30]);
+    /// ```
+    #[cfg(feature = "libm")]
+    #[must_use]
+    pub const fn on_grid<const N: usize, G: Grid>(self) -> FilmOnGrid<N, G, I>
+    where
+        I: Copy,
+    {
+        FilmOnGrid { film: self, grid: PhantomData }
+    }
+
     fn tilted(&self, nm: f32, cos_theta: f32) -> Option<Tilted> {
         let n = self.indices.at(nm);
         let is_film = n.iter().all(|n| (1e-3..=1e3).contains(n))
@@ -215,6 +242,26 @@ impl<I: FilmIndices> ThinFilm<I> {
     /// Turns of phase of a round trip.
     fn turns(&self, tilted: &Tilted, nm: f32) -> Double {
         tilted.film.times(Double::new(2.0 * self.thickness_nm)).over(nm)
+    }
+}
+
+/// A film whose reflectance is asked for in the bins of one grid: a [`Reflector`], by [`ThinFilm::on_grid`].
+///
+/// # Cost
+/// That of [`ThinFilm::reflectance`] at every call: for few directions, or to fill a table over the angle.
+#[cfg(feature = "libm")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilmOnGrid<const N: usize, G = Bins<380, 730>, I = [f32; 3]> {
+    film: ThinFilm<I>,
+    grid: PhantomData<G>,
+}
+
+#[cfg(feature = "libm")]
+impl<const N: usize, G: Grid, I: FilmIndices> Reflector for FilmOnGrid<N, G, I> {
+    type Value = Spectrum<Factor, N, G>;
+
+    fn reflectance(&self, cos_i: f32) -> Self::Value {
+        self.film.reflectance(cos_i)
     }
 }
 

@@ -30,12 +30,14 @@ pub struct Lambert<V>(pub V);
 impl<V: Integrand> Brdf for Lambert<V> {
     type Value = V;
 
+    #[inline]
     fn f(&self, wo: Direction, wi: Direction) -> V {
         self.0 * (FRAC_1_PI * visible(wo, wi))
     }
 }
 
 /// 1 where both directions are above the surface, 0 elsewhere; NaN for NaN.
+#[inline]
 pub(crate) fn visible(wo: Direction, wi: Direction) -> f32 {
     let (o, i) = (wo.cos_theta(), wi.cos_theta());
     if o.is_nan() || i.is_nan() {

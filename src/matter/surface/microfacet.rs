@@ -107,6 +107,19 @@ impl TrowbridgeReitz {
         0.5 / (o * self.projected(wi) + i * self.projected(wo))
     }
 
+    /// The BRDF of facets that reflect all, and the cosine at which they are met; 0 where there are none.
+    fn lobe(self, wo: Direction, wi: Direction) -> (f32, f32) {
+        let above = visible(wo, wi);
+        match wo.halfway(wi) {
+            Some(wm) if above != 0.0 => {
+                let shape = self.d(wm) * self.visibility(wo, wi);
+                // The mean of two equal cosines: the same bits when the directions change places.
+                (above * shape, 0.5 * (wo.dot(wm) + wi.dot(wm)))
+            }
+            _ => (0.0 * above, 1.0),
+        }
+    }
+
     /// G2 / G1(wo), the share of what is seen that is also lit: at most 1, also as rounded.
     fn lit(self, wo: Direction, wi: Direction) -> f32 {
         let [o, i] = [wo, wi].map(|w| at_least(w.cos_theta(), LOWEST_COSINE));
@@ -138,18 +151,13 @@ pub struct Microfacet<F> {
 impl<F: Reflector> Brdf for Microfacet<F> {
     type Value = F::Value;
 
+    #[inline]
     fn f(&self, wo: Direction, wi: Direction) -> F::Value {
-        let above = visible(wo, wi);
-        let Some(wm) = wo.halfway(wi) else {
-            return F::Value::ZERO * above;
-        };
-        if above == 0.0 {
+        let (shape, cos_i) = self.facets.lobe(wo, wi);
+        if shape == 0.0 {
             return F::Value::ZERO;
         }
-        let shape = self.facets.d(wm) * self.facets.visibility(wo, wi);
-        // The mean of two equal cosines: the same bits when the directions change places.
-        let cos_i = 0.5 * (wo.dot(wm) + wi.dot(wm));
-        self.boundary.reflectance(cos_i) * (above * shape)
+        self.boundary.reflectance(cos_i) * shape
     }
 }
 

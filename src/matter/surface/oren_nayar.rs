@@ -48,6 +48,7 @@ impl<V: Integrand> OrenNayar<V> {
 impl<V: Integrand> Brdf for OrenNayar<V> {
     type Value = V;
 
+    #[inline]
     fn f(&self, wo: Direction, wi: Direction) -> V {
         let above = visible(wo, wi);
         if above == 0.0 {

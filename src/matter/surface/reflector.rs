@@ -28,6 +28,7 @@ pub trait Reflector {
 impl Reflector for f32 {
     type Value = f32;
 
+    #[inline]
     fn reflectance(&self, _: f32) -> f32 {
         *self
     }
@@ -36,6 +37,7 @@ impl Reflector for f32 {
 impl<const N: usize, G: Bands> Reflector for Spectrum<Factor, N, G> {
     type Value = Self;
 
+    #[inline]
     fn reflectance(&self, _: f32) -> Self {
         *self
     }

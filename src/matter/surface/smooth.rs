@@ -27,6 +27,7 @@ pub struct Specular;
 impl<F: Reflector> Brdf for Smooth<F> {
     type Value = F::Value;
 
+    #[inline]
     fn f(&self, wo: Direction, wi: Direction) -> F::Value {
         F::Value::ZERO * (wo.cos_theta() * wi.cos_theta())
     }

@@ -1,6 +1,7 @@
 //! The matrix that turns basic counts into XYZ, lux or any other linear result.
 
 use crate::color::Xyz;
+use crate::math::const_for;
 use crate::sensor::{BasicCounts, ReadingError};
 
 /// A matrix from the basic counts of `C` channels to `D` results: XYZ (`D` = 3), illuminance or PPFD alone (`D` = 1),
@@ -49,15 +50,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     /// The same calibration with every result multiplied by `k`, as by a lux meter's reading over this one's.
     #[must_use]
     pub const fn scaled(mut self, k: f32) -> Self {
-        let mut d = 0;
-        while d < D {
-            let mut c = 0;
-            while c < C {
-                self.0[d][c] *= k;
-                c += 1;
-            }
-            d += 1;
-        }
+        const_for!(0..D, |d| const_for!(0..C, |c| self.0[d][c] *= k));
         self
     }
 
@@ -65,15 +58,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     /// calibrated (the golden device).
     #[must_use]
     pub const fn corrected(mut self, factors: &[f32; C]) -> Self {
-        let mut d = 0;
-        while d < D {
-            let mut c = 0;
-            while c < C {
-                self.0[d][c] *= factors[c];
-                c += 1;
-            }
-            d += 1;
-        }
+        const_for!(0..D, |d| const_for!(0..C, |c| self.0[d][c] *= factors[c]));
         self
     }
 
@@ -94,76 +79,42 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         // With M the matrix of the leakage and W the rows here, the new rows solve V M = W: Gauss on M's
         // transpose, with the largest pivot of each column.
         let mut m = [[0.0; C]; C];
-        let mut i = 0;
-        while i < C {
+        const_for!(0..C, |i| {
             let mut largest = 0.0;
-            let mut j = 0;
-            while j < C {
+            const_for!(0..C, |j| {
                 let size = crosstalk[j][i].abs();
                 largest = if size > largest { size } else { largest };
-                j += 1;
-            }
+            });
             // Rows of equal size, so that a pivot can be judged.
             let unit = if largest > 0.0 { 1.0 / largest } else { 0.0 };
-            j = 0;
-            while j < C {
-                m[i][j] = crosstalk[j][i] * unit;
-                j += 1;
-            }
-            let mut d = 0;
-            while d < D {
-                self.0[d][i] *= unit;
-                d += 1;
-            }
-            i += 1;
-        }
+            const_for!(0..C, |j| m[i][j] = crosstalk[j][i] * unit);
+            const_for!(0..D, |d| self.0[d][i] *= unit);
+        });
         let mut k = 0;
         while k < C {
             let mut pivot = k;
-            i = k + 1;
-            while i < C {
+            const_for!(k + 1..C, |i| {
                 if m[i][k].abs() > m[pivot][k].abs() {
                     pivot = i;
                 }
-                i += 1;
-            }
+            });
             m.swap(k, pivot);
-            let mut d = 0;
-            while d < D {
+            const_for!(0..D, |d| {
                 self.0[d].swap(k, pivot);
-                d += 1;
-            }
+            });
             if m[k][k].is_nan() || m[k][k].abs() <= 1e-4 {
                 return Err(CrosstalkError);
             }
-            i = 0;
-            while i < C {
+            const_for!(0..C, |i| {
                 if i != k {
                     let factor = m[i][k] / m[k][k];
-                    let mut j = k;
-                    while j < C {
-                        m[i][j] -= factor * m[k][j];
-                        j += 1;
-                    }
-                    d = 0;
-                    while d < D {
-                        self.0[d][i] -= factor * self.0[d][k];
-                        d += 1;
-                    }
+                    const_for!(k..C, |j| m[i][j] -= factor * m[k][j]);
+                    const_for!(0..D, |d| self.0[d][i] -= factor * self.0[d][k]);
                 }
-                i += 1;
-            }
+            });
             k += 1;
         }
-        k = 0;
-        while k < C {
-            let mut d = 0;
-            while d < D {
-                self.0[d][k] /= m[k][k];
-                d += 1;
-            }
-            k += 1;
-        }
+        const_for!(0..C, |k| const_for!(0..D, |d| self.0[d][k] /= m[k][k]));
         Ok(self)
     }
 }

@@ -1,6 +1,7 @@
 //! Calibration by measured patches: the matrix from counts to XYZ that is least wrong on them.
 
 use crate::color::Xyz;
+use crate::math::const_for;
 use crate::sensor::calibrate::qr::{Triangle, condition, forward};
 use crate::sensor::calibrate::vector::{dot, largest, norm, sqrt};
 use crate::sensor::{BasicCounts, Calibration};
@@ -181,11 +182,7 @@ impl<const C: usize> Fit<C, 3> {
 }
 
 const fn weighted<const N: usize>(mut row: [f32; N], weight: f32) -> [f32; N] {
-    let mut n = 0;
-    while n < N {
-        row[n] *= weight;
-        n += 1;
-    }
+    const_for!(0..N, |n| row[n] *= weight);
     row
 }
 

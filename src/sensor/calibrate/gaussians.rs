@@ -1,6 +1,7 @@
 //! Responsivities from peaks and widths.
 
 use crate::grid::{Grid, Layout};
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::Power;
 
@@ -19,18 +20,14 @@ pub const fn gaussian_responsivities<const C: usize, const N: usize, G: Grid>(
     channels: [(f64, f64); C],
 ) -> Observer<C, N, Power, G> {
     let mut rows = [[0.0; N]; C];
-    let mut c = 0;
-    while c < C {
+    const_for!(0..C, |c| {
         let (peak, fwhm) = channels[c];
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let widths = (Layout::<G, N>::center(k) as f64 - peak) / fwhm;
             // 16^(-(d/fwhm)^2) is a half at d = fwhm / 2.
             rows[c][k] = exp2_below_zero(-4.0 * widths * widths) as f32;
-            k += 1;
-        }
-        c += 1;
-    }
+        });
+    });
     Observer::from_rows(rows)
 }
 
@@ -46,10 +43,6 @@ const fn exp2_below_zero(x: f64) -> f64 {
         sum = 1.0 + sum * t / n as f64;
         n -= 1;
     }
-    let mut squarings = 0;
-    while squarings < 6 {
-        sum *= sum;
-        squarings += 1;
-    }
+    const_for!(0..6, |squarings| sum *= sum);
     sum
 }

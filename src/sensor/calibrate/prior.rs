@@ -1,6 +1,7 @@
 //! What spectra are usually like: how their bins vary together.
 
 use crate::grid::Grid;
+use crate::math::const_for;
 use crate::sensor::calibrate::vector::{largest, sqrt};
 use crate::spectrum::Light;
 
@@ -12,30 +13,24 @@ use crate::spectrum::Light;
 #[must_use]
 pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [[f32; N]; N] {
     let mut products = [[0.0; N]; N];
-    let (mut k, mut used) = (0, 0);
-    while k < lights.len() {
+    let mut used = 0;
+    const_for!(0..lights.len(), |k| {
         let values = lights[k].values();
         let size = largest(values);
-        let (mut sum, mut n) = (0.0, 0);
-        while n < N {
-            sum += values[n] / size;
-            n += 1;
-        }
+        let mut sum = 0.0;
+        const_for!(0..N, |n| sum += values[n] / size);
         if size != 0.0 && (sum > 0.0 || sum.is_nan()) {
             let unit = N as f32 / sum / size;
-            let mut i = 0;
-            while i < N {
+            const_for!(0..N, |i| {
                 let mut j = 0;
                 while j <= i {
                     products[i][j] += (values[i] * unit) * (values[j] * unit);
                     j += 1;
                 }
-                i += 1;
-            }
+            });
             used += 1;
         }
-        k += 1;
-    }
+    });
     let mut i = 0;
     while i < N && used > 0 {
         let mut j = 0;
@@ -53,15 +48,12 @@ pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [
 /// than rounding: what six lamps span has six columns.
 pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]) -> [[f32; N]; N] {
     let (mut left, mut columns) = ([0.0; N], [[0.0; N]; N]);
-    let (mut i, mut largest) = (0, 0.0);
-    while i < N {
-        left[i] = covariance[i][i];
-        i += 1;
-    }
+    let mut largest = 0.0;
+    const_for!(0..N, |i| left[i] = covariance[i][i]);
     let mut k = 0;
     while k < N {
         let (mut pivot, mut variance) = (0, 0.0);
-        i = 0;
+        let mut i = 0;
         // (A NaN is taken and spreads.)
         while i < N && variance >= 0.0 {
             if left[i] > variance || left[i].is_nan() {
@@ -75,17 +67,12 @@ pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]
             break;
         }
         let root = sqrt(variance);
-        i = 0;
-        while i < N {
-            let (mut value, mut j) = (covariance[i][pivot], 0);
-            while j < k {
-                value -= columns[j][i] * columns[j][pivot];
-                j += 1;
-            }
+        const_for!(0..N, |i| {
+            let mut value = covariance[i][pivot];
+            const_for!(0..k, |j| value -= columns[j][i] * columns[j][pivot]);
             columns[k][i] = value / root;
             left[i] -= columns[k][i] * columns[k][i];
-            i += 1;
-        }
+        });
         left[pivot] = 0.0;
         k += 1;
     }

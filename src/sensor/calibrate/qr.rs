@@ -1,6 +1,7 @@
 //! Least squares without squaring the condition: the triangular factor R of A = Q R, by Householder
 //! reflections.
 
+use crate::math::const_for;
 use crate::sensor::calibrate::vector::{dot, hypot, less, norm, unit};
 
 /// `C` unknowns and `D` right-hand sides, fed row by row: memory of C (C + D) whatever the number of rows.
@@ -23,46 +24,32 @@ impl<const C: usize, const D: usize> Triangle<C, D> {
     /// The rows `diagonal` times the unit matrix, with the right-hand side `b`.
     pub(super) const fn ridge(diagonal: f32, b: [[f32; D]; C]) -> Self {
         let mut start = Triangle { r: [[0.0; C]; C], b, rest: [0.0; D] };
-        let mut k = 0;
-        while k < C {
-            start.r[k][k] = diagonal;
-            k += 1;
-        }
+        const_for!(0..C, |k| start.r[k][k] = diagonal);
         start
     }
 
     /// One more equation, `row` times the unknowns = `b`: for each unknown a reflection of two rows that makes
     /// the new one zero there.
     pub(super) const fn absorb(&mut self, mut row: [f32; C], mut b: [f32; D]) {
-        let mut k = 0;
-        while k < C {
+        const_for!(0..C, |k| {
             let norm = hypot(self.r[k][k], row[k]);
             // (NaN is not 0 and spreads.)
             if row[k] != 0.0 {
                 let (c, s) = (self.r[k][k] / norm, row[k] / norm);
                 self.r[k][k] = norm;
-                let mut j = k + 1;
-                while j < C {
+                const_for!(k + 1..C, |j| {
                     let (upper, lower) = (self.r[k][j], row[j]);
                     self.r[k][j] = c * upper + s * lower;
                     row[j] = s * upper - c * lower;
-                    j += 1;
-                }
-                let mut d = 0;
-                while d < D {
+                });
+                const_for!(0..D, |d| {
                     let (upper, lower) = (self.b[k][d], b[d]);
                     self.b[k][d] = c * upper + s * lower;
                     b[d] = s * upper - c * lower;
-                    d += 1;
-                }
+                });
             }
-            k += 1;
-        }
-        let mut d = 0;
-        while d < D {
-            self.rest[d] = hypot(self.rest[d], b[d]);
-            d += 1;
-        }
+        });
+        const_for!(0..D, |d| self.rest[d] = hypot(self.rest[d], b[d]));
     }
 
     pub(super) const fn factor(&self) -> &[[f32; C]; C] {
@@ -76,16 +63,10 @@ impl<const C: usize, const D: usize> Triangle<C, D> {
     /// The unknowns for each right-hand side; not finite where R has a zero on its diagonal.
     pub(super) const fn solve(&self) -> [[f32; C]; D] {
         let mut x = [[0.0; C]; D];
-        let mut d = 0;
-        while d < D {
-            let mut k = 0;
-            while k < C {
-                x[d][k] = self.b[k][d];
-                k += 1;
-            }
+        const_for!(0..D, |d| {
+            const_for!(0..C, |k| x[d][k] = self.b[k][d]);
             x[d] = back(&self.r, x[d]);
-            d += 1;
-        }
+        });
         x
     }
 }
@@ -95,11 +76,7 @@ pub(super) const fn back<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) -> 
     let mut left = C;
     while left > 0 {
         left -= 1;
-        let mut j = left + 1;
-        while j < C {
-            x[left] -= r[left][j] * x[j];
-            j += 1;
-        }
+        const_for!(left + 1..C, |j| x[left] -= r[left][j] * x[j]);
         x[left] /= r[left][left];
     }
     x
@@ -107,16 +84,10 @@ pub(super) const fn back<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) -> 
 
 /// x of R' x = b.
 pub(super) const fn forward<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) -> [f32; C] {
-    let mut k = 0;
-    while k < C {
+    const_for!(0..C, |k| {
         x[k] /= r[k][k];
-        let mut j = k + 1;
-        while j < C {
-            x[j] -= r[k][j] * x[k];
-            j += 1;
-        }
-        k += 1;
-    }
+        const_for!(k + 1..C, |j| x[j] -= r[k][j] * x[k]);
+    });
     x
 }
 
@@ -128,34 +99,25 @@ pub(super) const fn damped_inverse<const C: usize, const N: usize>(
     d: f32,
 ) -> ([[f32; N]; C], [[f32; C]; C]) {
     let (mut r, mut tau) = ([[0.0; C]; C], [0.0; C]);
-    let mut k = 0;
-    while k < C {
+    const_for!(0..C, |k| {
         // The reflection 1 - tau v v' with v = 1 in row k of the upper block, and a[k] / (d + norm) in the
         // lower.
         let norm = hypot(d, norm(&a[k]));
         r[k][k] = -norm;
         if norm != 0.0 {
             tau[k] = (d + norm) / norm;
-            let mut n = 0;
-            while n < N {
-                a[k][n] /= d + norm;
-                n += 1;
-            }
+            const_for!(0..N, |n| a[k][n] /= d + norm);
         }
-        let mut j = k + 1;
-        while j < C {
+        const_for!(k + 1..C, |j| {
             let step = tau[k] * dot(&a[k], &a[j]);
             r[k][j] = -step;
             a[j] = less(a[j], step, &a[k]);
-            j += 1;
-        }
-        k += 1;
-    }
+        });
+    });
     // Q1: the reflections, the last first, of the first C columns of the unit matrix. Column j meets those up
     // to j.
     let mut q = [[0.0; N]; C];
-    let mut j = 0;
-    while j < C {
+    const_for!(0..C, |j| {
         q[j] = less(q[j], tau[j], &a[j]);
         let mut left = j;
         while left > 0 {
@@ -163,22 +125,13 @@ pub(super) const fn damped_inverse<const C: usize, const N: usize>(
             let step = tau[left] * dot(&a[left], &q[j]);
             q[j] = less(q[j], step, &a[left]);
         }
-        j += 1;
-    }
+    });
     // X R' = Q1, from the last column to the first.
     let mut left = C;
     while left > 0 {
         left -= 1;
-        let mut j = left + 1;
-        while j < C {
-            q[left] = less(q[left], r[left][j], &q[j]);
-            j += 1;
-        }
-        let mut n = 0;
-        while n < N {
-            q[left][n] /= r[left][left];
-            n += 1;
-        }
+        const_for!(left + 1..C, |j| q[left] = less(q[left], r[left][j], &q[j]));
+        const_for!(0..N, |n| q[left][n] /= r[left][left]);
     }
     (q, r)
 }
@@ -190,17 +143,9 @@ pub(super) const fn condition<const C: usize>(r: &[[f32; C]; C]) -> f32 {
     let mut j = 0;
     while j < C {
         let mut column = [0.0; C];
-        let mut k = 0;
-        while k < C {
-            column[k] = r[k][j];
-            k += 1;
-        }
+        const_for!(0..C, |k| column[k] = r[k][j]);
         let norm = norm(&column);
-        k = 0;
-        while k < C {
-            scaled[k][j] /= norm;
-            k += 1;
-        }
+        const_for!(0..C, |k| scaled[k][j] /= norm);
         if norm == 0.0 || scaled[j][j] == 0.0 {
             return f32::INFINITY;
         }
@@ -208,41 +153,29 @@ pub(super) const fn condition<const C: usize>(r: &[[f32; C]; C]) -> f32 {
     }
     // To begin with: one smooth, one alternating, neither symmetric.
     let (mut wide, mut narrow) = ([1.0; C], [1.0; C]);
-    j = 0;
-    while j < C {
+    const_for!(0..C, |j| {
         wide[j] += 0.1 * j as f32;
         narrow[j] = if j % 2 == 0 { wide[j] } else { -1.0 };
-        j += 1;
-    }
+    });
     let (mut largest, mut inverse_of_smallest) = (1.0, 1.0);
-    let mut turn = 0;
-    while turn < 12 {
+    const_for!(0..12, |turn| {
         // (R' R) and its inverse, each in two halves that stay in range.
         wide = unit(times(&scaled, wide)).0;
         (wide, largest) = unit(times_transposed(&scaled, wide));
         narrow = unit(forward(&scaled, narrow)).0;
         (narrow, inverse_of_smallest) = unit(back(&scaled, narrow));
-        turn += 1;
-    }
+    });
     largest * inverse_of_smallest
 }
 
 const fn times<const C: usize>(r: &[[f32; C]; C], x: [f32; C]) -> [f32; C] {
     let mut y = [0.0; C];
-    let mut k = 0;
-    while k < C {
-        y[k] = dot(&r[k], &x);
-        k += 1;
-    }
+    const_for!(0..C, |k| y[k] = dot(&r[k], &x));
     y
 }
 
 const fn times_transposed<const C: usize>(r: &[[f32; C]; C], x: [f32; C]) -> [f32; C] {
     let mut y = [0.0; C];
-    let mut k = 0;
-    while k < C {
-        y = less(y, -x[k], &r[k]);
-        k += 1;
-    }
+    const_for!(0..C, |k| y = less(y, -x[k], &r[k]));
     y
 }

@@ -1,6 +1,7 @@
 //! Reconstruction: the matrix from the counts of a few channels to the likeliest spectrum.
 
-use crate::grid::Grid;
+use crate::grid::{Grid, by_fields};
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::sensor::calibrate::fit::usable;
 use crate::sensor::calibrate::prior::semidefinite_root;
@@ -50,16 +51,9 @@ pub const DEFAULT_ALPHA: f32 = 1e-2;
 /// # Cost
 /// For `const` use, though it may run on a device (4.8 KB of code): 8 channels on 31 bins take 17 thousand
 /// steps of evaluation, on 471 bins 160 thousand (rustc's limit is two million), 30 and 240 ms of compile time.
-#[derive(Debug)]
 pub struct Reconstruction<const C: usize, const N: usize, G>([[f32; C]; N], PhantomData<G>);
 
-impl<const C: usize, const N: usize, G> Clone for Reconstruction<C, N, G> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<const C: usize, const N: usize, G> Copy for Reconstruction<C, N, G> {}
+by_fields!([const C: usize, const N: usize, G] Reconstruction<C, N, G>, "Reconstruction": 0);
 
 impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     /// For smooth spectra: bins `i` and `j` are expected to be correlated by `correlation`^|i - j|.
@@ -81,29 +75,21 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         // The covariance is L L' with L[i][j] = correlation^(i - j) * fresh, without `fresh` in column 0:
         // each bin is the one before times `correlation`, and something new.
         let mut a = *sensor.weights();
-        let mut c = 0;
-        while c < C {
+        const_for!(0..C, |c| {
             let (mut n, mut carried) = (N, 0.0);
             while n > 0 {
                 n -= 1;
                 carried = carried * correlation + a[c][n];
                 a[c][n] = if n > 0 { fresh * carried } else { carried };
             }
-            c += 1;
-        }
+        });
         let (mut x, scale) = match solved(a, alpha * share(sensor.weights(), &a, 1.0)) {
             Ok(solved) => solved,
             Err(error) => return Err(error),
         };
-        c = 0;
-        while c < C {
-            let mut n = 0;
-            while n < N {
-                x[c][n] = if n > 0 { x[c][n - 1] * correlation + fresh * x[c][n] } else { x[c][0] };
-                n += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(1..N, |n| x[c][n] = x[c][n - 1] * correlation + fresh * x[c][n]);
+        });
         Self::scaled(&x, scale)
     }
 
@@ -134,34 +120,19 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         let columns = semidefinite_root(covariance);
         // L' G'
         let mut a = [[0.0; N]; C];
-        let mut c = 0;
-        while c < C {
-            let mut j = 0;
-            while j < N {
-                a[c][j] = dot(&columns[j], &sensor.weights()[c]);
-                j += 1;
-            }
-            c += 1;
-        }
-        let (mut variance, mut n) = (0.0, 0);
-        while n < N {
-            variance += covariance[n][n];
-            n += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..N, |j| a[c][j] = dot(&columns[j], &sensor.weights()[c]));
+        });
+        let mut variance = 0.0;
+        const_for!(0..N, |n| variance += covariance[n][n]);
         let (x, scale) = match solved(a, alpha * share(sensor.weights(), &a, variance / N as f32)) {
             Ok(solved) => solved,
             Err(error) => return Err(error),
         };
         let mut spectra = [[0.0; N]; C];
-        c = 0;
-        while c < C {
-            let mut j = 0;
-            while j < N {
-                spectra[c] = less(spectra[c], -x[c][j], &columns[j]);
-                j += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| {
+            const_for!(0..N, |j| spectra[c] = less(spectra[c], -x[c][j], &columns[j]));
+        });
         Self::scaled(&spectra, scale)
     }
 
@@ -169,11 +140,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         let mut matrix = [[0.0; C]; N];
         let mut n = 0;
         while n < N {
-            let mut c = 0;
-            while c < C {
-                matrix[n][c] = columns[c][n] / scale;
-                c += 1;
-            }
+            const_for!(0..C, |c| matrix[n][c] = columns[c][n] / scale);
             if !largest(&matrix[n]).is_finite() {
                 return Err(FitError::NotFinite);
             }
@@ -204,19 +171,11 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     #[must_use]
     pub const fn seen_by<const D: usize>(&self, eye: &Observer<D, N, Power, G>) -> Calibration<C, D> {
         let mut matrix = [[0.0; C]; D];
-        let mut d = 0;
-        while d < D {
-            let mut n = 0;
-            while n < N {
-                let mut c = 0;
-                while c < C {
-                    matrix[d][c] += eye.weights()[d][n] * self.0[n][c];
-                    c += 1;
-                }
-                n += 1;
-            }
-            d += 1;
-        }
+        const_for!(0..D, |d| {
+            const_for!(0..N, |n| {
+                const_for!(0..C, |c| matrix[d][c] += eye.weights()[d][n] * self.0[n][c]);
+            });
+        });
         Calibration::from_rows(matrix)
     }
 }
@@ -227,12 +186,11 @@ const fn share<const C: usize, const N: usize>(
     together: &[[f32; N]; C],
     variance: f32,
 ) -> f32 {
-    let (mut above, mut below, mut c) = ([0.0; C], [0.0; C], 0);
-    while c < C {
+    let (mut above, mut below) = ([0.0; C], [0.0; C]);
+    const_for!(0..C, |c| {
         above[c] = norm(&apart[c]);
         below[c] = norm(&together[c]);
-        c += 1;
-    }
+    });
     let (above, below) = (norm(&above), norm(&below));
     // A blind sensor has neither; what it is asked is refused elsewhere.
     if below > 0.0 { (above / below) * (above / below) * variance } else { 1.0 }
@@ -245,24 +203,14 @@ const fn solved<const C: usize, const N: usize>(
     alpha: f32,
 ) -> Result<([[f32; N]; C], f32), FitError> {
     let mut norms = [0.0; C];
-    let mut c = 0;
-    while c < C {
-        norms[c] = norm(&a[c]);
-        c += 1;
-    }
+    const_for!(0..C, |c| norms[c] = norm(&a[c]));
     let scale = norm(&norms) / sqrt(C as f32);
     if !scale.is_finite() {
         return Err(FitError::NotFinite);
     }
-    c = 0;
-    while c < C {
-        let mut n = 0;
-        while n < N {
-            a[c][n] /= scale;
-            n += 1;
-        }
-        c += 1;
-    }
+    const_for!(0..C, |c| {
+        const_for!(0..N, |n| a[c][n] /= scale);
+    });
     if scale == 0.0 {
         return Err(FitError::IllConditioned { condition: f32::INFINITY });
     }

@@ -1,35 +1,26 @@
 //! Sums over vectors in `const fn`. Squares are scaled by the largest, so that counts of 1e-30 are as good as
 //! counts of 1.
 
+use crate::math::const_for;
+
 pub(super) use crate::math::sqrt_by_digits as sqrt;
 
 /// To length 1, and the length it had.
 pub(super) const fn unit<const C: usize>(mut x: [f32; C]) -> ([f32; C], f32) {
     let norm = norm(&x);
-    let mut k = 0;
-    while k < C {
-        x[k] /= norm;
-        k += 1;
-    }
+    const_for!(0..C, |k| x[k] /= norm);
     (x, norm)
 }
 
 /// a - factor b.
 pub(super) const fn less<const N: usize>(mut a: [f32; N], factor: f32, b: &[f32; N]) -> [f32; N] {
-    let mut n = 0;
-    while n < N {
-        a[n] -= factor * b[n];
-        n += 1;
-    }
+    const_for!(0..N, |n| a[n] -= factor * b[n]);
     a
 }
 
 pub(super) const fn dot<const N: usize>(a: &[f32; N], b: &[f32; N]) -> f32 {
-    let (mut sum, mut n) = (0.0, 0);
-    while n < N {
-        sum += a[n] * b[n];
-        n += 1;
-    }
+    let mut sum = 0.0;
+    const_for!(0..N, |n| sum += a[n] * b[n]);
     sum
 }
 
@@ -55,12 +46,11 @@ pub(super) const fn norm<const N: usize>(a: &[f32; N]) -> f32 {
     if largest == 0.0 {
         return 0.0;
     }
-    let (mut sum, mut n) = (0.0, 0);
-    while n < N {
+    let mut sum = 0.0;
+    const_for!(0..N, |n| {
         let share = a[n] / largest;
         sum += share * share;
-        n += 1;
-    }
+    });
     largest * sqrt(sum)
 }
 

@@ -1,7 +1,7 @@
 //! AS7262 of ams OSRAM: six bands of the visible, calibrated by the chip itself.
 
 use crate::observer::FineObserver;
-use crate::sensor::chip::{Chip, Nominal, Setting};
+use crate::sensor::chip::{Chip, Nominal, Setting, of_width};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
 /// From the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255 (0 counts as 1): the rule
@@ -31,14 +31,8 @@ ladder! {
 
 /// Six bands of 40 nm from 450 to 650 nm, as Gaussians;
 /// [not your chip's own](crate::sensor::chip#nominal-responsivities).
-pub static NOMINAL: FineObserver<6> = gaussian_responsivities([
-    (450.0, 40.0),
-    (500.0, 40.0),
-    (550.0, 40.0),
-    (570.0, 40.0),
-    (600.0, 40.0),
-    (650.0, 40.0),
-]);
+pub static NOMINAL: FineObserver<6> =
+    gaussian_responsivities(of_width(40.0, [450.0, 500.0, 550.0, 570.0, 600.0, 650.0]));
 
 /// The same as data.
 pub static CHIP: Chip = Chip {

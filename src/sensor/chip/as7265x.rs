@@ -2,9 +2,8 @@
 
 use crate::grid::Nodes;
 use crate::observer::Observer;
-use crate::sensor::chip::as7262::STEPS;
 pub use crate::sensor::chip::as7262::{GAINS, LADDER, LADDER_SETTINGS, exposure};
-use crate::sensor::chip::{Chip, Nominal, Setting};
+use crate::sensor::chip::{Chip, Nominal, as7262, of_width};
 use crate::sensor::gaussian_responsivities;
 use crate::spectrum::Power;
 
@@ -16,41 +15,19 @@ pub static CHANNELS: [&str; 18] = [
 
 /// 18 bands of 20 nm from 410 to 940 nm, in the order of [`CHANNELS`], as Gaussians;
 /// [not your chip's own](crate::sensor::chip#nominal-responsivities).
-pub static NOMINAL: Observer<18, 701, Power, Nodes<300, 1000>> = gaussian_responsivities([
-    (410.0, 20.0),
-    (435.0, 20.0),
-    (460.0, 20.0),
-    (485.0, 20.0),
-    (510.0, 20.0),
-    (535.0, 20.0),
-    (560.0, 20.0),
-    (585.0, 20.0),
-    (610.0, 20.0),
-    (645.0, 20.0),
-    (680.0, 20.0),
-    (705.0, 20.0),
-    (730.0, 20.0),
-    (760.0, 20.0),
-    (810.0, 20.0),
-    (860.0, 20.0),
-    (900.0, 20.0),
-    (940.0, 20.0),
-]);
+pub static NOMINAL: Observer<18, 701, Power, Nodes<300, 1000>> = gaussian_responsivities(of_width(
+    20.0,
+    [
+        410.0, 435.0, 460.0, 485.0, 510.0, 535.0, 560.0, 585.0, 610.0, 645.0, 680.0, 705.0, 730.0, 760.0,
+        810.0, 860.0, 900.0, 940.0,
+    ],
+));
 
-/// The same as data.
+/// The same as data; what is set is as on the AS7262.
 pub static CHIP: Chip = Chip {
     name: "AS7265x",
     summary: "18 bands of 20 nm, called by their peaks",
     channels: &CHANNELS,
-    settings: &[Setting::gain(&GAINS), Setting::register("cycles", 255)],
-    ladder: &STEPS,
-    largest_count: 65_535,
-    whole_counts: false,
-    to_xyz: None,
-    to_lux: None,
-    exposure: |settings| match *settings {
-        [gain, cycles] => Some(exposure(gain, cycles as u8)),
-        _ => None,
-    },
     nominal: Some(Nominal::Wide(NOMINAL.weights())),
+    ..as7262::CHIP
 };

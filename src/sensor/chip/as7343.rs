@@ -2,7 +2,7 @@
 
 use crate::observer::FineObserver;
 pub use crate::sensor::chip::as7341::exposure;
-use crate::sensor::chip::{Chip, Nominal, Setting};
+use crate::sensor::chip::{Chip, Nominal, Setting, as7341};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
 /// The gains of register AGAIN, 0 to 12.
@@ -37,20 +37,13 @@ pub static NOMINAL: FineObserver<11> = gaussian_responsivities([
     (745.0, 77.0),
 ]);
 
-/// The same as data.
+/// The same as data; registers and counts are as on the AS7341.
 pub static CHIP: Chip = Chip {
     name: "AS7343",
     summary: "eleven bands from 405 to 745 nm; the TCS3448 is alike",
     channels: &CHANNELS,
     settings: &[Setting::gain(&GAINS), Setting::register("atime", 255), Setting::register("astep", 65_534)],
     ladder: &STEPS,
-    largest_count: 65_535,
-    whole_counts: true,
-    to_xyz: None,
-    to_lux: None,
-    exposure: |settings| match *settings {
-        [gain, atime, astep] => Some(exposure(gain, atime as u8, astep as u16)),
-        _ => None,
-    },
     nominal: Some(Nominal::Visible(NOMINAL.weights())),
+    ..as7341::CHIP
 };

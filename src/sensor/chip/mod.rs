@@ -34,6 +34,7 @@
 //! measured patches ([`Fit`](crate::sensor::Fit)) make an instrument.
 
 use crate::grid::{Grid, Nodes};
+use crate::math::const_for;
 use crate::observer::{Curve, Observer};
 use crate::sensor::{Calibration, Exposure};
 use crate::spectrum::Power;
@@ -182,6 +183,13 @@ enum Nominal {
     Visible(&'static [[f32; 471]]),
     /// From 300 to 1000 nm.
     Wide(&'static [[f32; 701]]),
+}
+
+/// Bands of one width at these peaks, in nm.
+const fn of_width<const C: usize>(width: f64, peaks: [f64; C]) -> [(f64, f64); C] {
+    let mut bands = [(0.0, width); C];
+    const_for!(0..C, |c| bands[c].0 = peaks[c]);
+    bands
 }
 
 /// The rows of a matrix, without the number of channels in the type.

@@ -1,5 +1,6 @@
 //! Counts of a chip to XYZ in integers.
 
+use crate::math::const_for;
 use crate::sensor::fixed::FixedXyz;
 use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 
@@ -49,17 +50,13 @@ impl<const C: usize> FixedMeter<C> {
         let rows = calibration.rows();
         // The largest sum of sizes of a row decides on the scale: 65 535 counts in every channel, and the start is
         // no larger than that, since no dark level is.
-        let (mut largest, mut d) = (0.0, 0);
-        while d < 3 {
-            let (mut sum, mut c) = (0.0, 0);
-            while c < C {
-                sum += (rows[d][c] as f64 * per_count).abs() * 65_536.0;
-                c += 1;
-            }
+        let mut largest = 0.0;
+        const_for!(0..3, |d| {
+            let mut sum = 0.0;
+            const_for!(0..C, |c| sum += (rows[d][c] as f64 * per_count).abs() * 65_536.0);
             // NaN comes and stays.
             largest = if sum <= largest || largest.is_nan() { largest } else { sum };
-            d += 1;
-        }
+        });
         if !(largest > 0.0 && largest < f64::INFINITY) {
             return None;
         }
@@ -82,13 +79,11 @@ impl<const C: usize> FixedMeter<C> {
                 return None;
             }
             total += dark_levels[c] as f64;
-            d = 0;
-            while d < 3 {
+            const_for!(0..3, |d| {
                 let weight = rows[d][c] as f64 * per_count * scale;
                 columns[c][d] = rounded(weight * 65_536.0);
                 start[d] -= rounded(weight * dark_levels[c] as f64);
-                d += 1;
-            }
+            });
             c += 1;
         }
         let full_scale = if exposure.full_scale() < 65_535 { exposure.full_scale() as u16 } else { 65_535 };

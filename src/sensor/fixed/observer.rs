@@ -1,6 +1,7 @@
 //! Spectra of 16-bit samples to XYZ, or to any channels, in integers.
 
 use crate::grid::Grid;
+use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::Quantity;
 use core::marker::PhantomData;
@@ -67,16 +68,12 @@ impl<const C: usize, const N: usize, G: Grid> FixedObserver<C, N, G> {
         let step = (most - least) / 65_535.0;
         let offset = (-least / step + 0.5) as u32;
         let mut fixed = [[0; N]; C];
-        c = 0;
-        while c < C {
-            n = 0;
-            while n < N {
+        const_for!(0..C, |c| {
+            const_for!(0..N, |n| {
                 let units = rows[c][n] as f64 / step + offset as f64 + 0.5;
                 fixed[c][n] = if units < 65_535.0 { units as u16 } else { 65_535 };
-                n += 1;
-            }
-            c += 1;
-        }
+            });
+        });
         // N products below 2^32, and as much again to take off.
         let mut shift = 2;
         while N >> (shift - 2) > 0 {

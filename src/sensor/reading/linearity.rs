@@ -3,6 +3,8 @@
 //! A path and an observer are linear, so both fold; a read-out is not, and never does. It is applied to what the
 //! observer sees, channel by channel, and undone on what a chip reports before anything else is.
 
+use crate::math::const_for;
+
 /// A counter that misses what arrives while it is busy with an event before (non-paralysable dead time): photon
 /// counters, and chips that turn light into a frequency.
 ///
@@ -93,12 +95,11 @@ impl<const K: usize> Nonlinearity<K> {
     pub const fn new(coefficients: [f32; K]) -> Option<Self> {
         let bend = Nonlinearity { coefficients };
         // How fast the slope can change at most: sum of k (k - 1) |c_k|.
-        let (mut change, mut k) = (0.0, 0);
-        while k < K {
+        let mut change = 0.0;
+        const_for!(0..K, |k| {
             let power = (k + 2) as f32;
             change += power * (power - 1.0) * coefficients[k].abs();
-            k += 1;
-        }
+        });
         if !change.is_finite() {
             return None;
         }
