@@ -10,8 +10,7 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// incidence (s, parallel to the surface).
 ///
 /// ```
-/// use nanospectra::matter::Mirror;
-/// use nanospectra::{Bins, Light};
+/// use nanospectra::{Bins, Light, matter::Mirror};
 ///
 /// // Two panes of glass at Brewster's angle (56.31 degrees), parallel: the second reflects twice what it would of
 /// // unpolarized light.
@@ -113,7 +112,7 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// Its reflectance for unpolarized light: the effect left out, by name.
+    /// Its reflectance for unpolarized light.
     #[must_use]
     pub const fn ignoring_polarization(&self) -> Spectrum<Factor, N, G> {
         self.0.ignoring_polarization()
