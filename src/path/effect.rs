@@ -114,19 +114,13 @@ impl<L, M, const N: usize, G> Stimulus<Power, N, G> for Affected<L, M, N, G> {
 
 /// An [`Effect`] of your own as a part of a path, for light to fall on or to go through: `sun.onto(Own::new(&ink))`. If
 /// the matter has a price ([`Priced`]), the path has one.
-pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(&'m M, PhantomData<G>);
+pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(pub(super) &'m M, PhantomData<G>);
 
 impl<'m, M: Effect<N, G> + ?Sized, const N: usize, G> Own<'m, M, N, G> {
     /// This matter.
     #[must_use]
     pub const fn new(matter: &'m M) -> Self {
         Own(matter, PhantomData)
-    }
-
-    /// The matter.
-    #[must_use]
-    pub const fn matter(&self) -> &'m M {
-        self.0
     }
 }
 
