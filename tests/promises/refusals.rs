@@ -258,6 +258,12 @@ const REFUSED: [(&str, &str, &[&str]); 40] = [
         ],
     ),
     (
+        "shows_a_radiance",
+        "use nanospectra::{Light, Observer, Power, radiometry::Radiance};
+        pub fn look(eye: Observer<3, 31, Power>, seen: Radiance<Light<31>>) { eye.sees(seen); }",
+        &["is no stimulus of `Power` in 31 bins", "by reference, `eye.sees(&lamp)`", "the `.value()`"],
+    ),
+    (
         "samples_an_rgb",
         "use nanospectra::{Light, color::RgbBands, color::Srgb};
         fn main() {
