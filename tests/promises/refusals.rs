@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 40] = [
+const REFUSED: [(&str, &str, &[&str]); 41] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
