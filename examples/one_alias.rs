@@ -7,7 +7,7 @@
 use nanospectra::color::{Rgb, Srgb, Xyz};
 use nanospectra::geometry::Direction;
 use nanospectra::matter::{Brdf, Microfacet, OrenNayar, TrowbridgeReitz};
-use nanospectra::radiometry::Intensity;
+use nanospectra::radiometry::{Intensity, PerSr};
 
 /// Three floats: as fast as can be, and off where colors meet colors.
 #[allow(unused, reason = "the one that is not chosen")]
@@ -42,8 +42,8 @@ fn main() {
     for degrees in [0.0f32, 20.0, 40.0, 60.0, 80.0] {
         let (wo, wi) = (Direction::NORMAL, Direction::spherical(degrees.to_radians(), 0.0));
         let arriving = lamp.at_distance(2.0, wi.cos_theta());
-        let leaving = arriving.value() * (clay.f(wo, wi) + glaze.f(wo, wi));
-        let xyz = Xyz::from(EYE.sees(leaving.through(&pane)));
+        let leaving = arriving * PerSr(clay.f(wo, wi) + glaze.f(wo, wi));
+        let xyz = Xyz::from(EYE.sees(leaving.value().through(&pane)));
         let [r, g, b] = Rgb::<Srgb>::from_xyz(xyz).to_array();
         println!("{degrees:>4} degrees: Y {:7.3}, sRGB {r:.4} {g:.4} {b:.4}", xyz.y);
     }

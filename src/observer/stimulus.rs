@@ -8,6 +8,7 @@ use crate::spectrum::Spectrum;
     message = "`{Self}` is no stimulus of `{Q}` in {N} bins of `{G}`",
     label = "not what is read here",
     note = "an eye that has a light folded in (`under`) reads `Factor`, any other `Power`; all stages lie on one grid",
+    note = "a spectrum is looked at by reference, `eye.sees(&lamp)`; of `Radiance` and its relatives the `.value()`",
     note = "polarized light becomes plain by `.ignoring_polarization()`",
     note = "fluorescent matter is seen in light, `eye.sees(lamp.onto(&dye))`, or folded in before the light: \
             `eye.looking_at_dye(&dye).under(&lamp)`"

@@ -16,7 +16,8 @@ use core::marker::PhantomData;
 ///
 /// # Operators
 /// Bin by bin, by value, by reference and assigning: `+ -`, times and over numbers and factors, unary minus, sums; a light
-/// over a light is a factor. `spectrum[k]` is bin `k`, and panics beyond the last.
+/// over a light is a factor. Over zero a value becomes infinite, and zero NaN, as in f32 (the quantities of
+/// [`radiometry`](crate::radiometry) stay finite). `spectrum[k]` is bin `k`, and panics beyond the last.
 ///
 /// ```
 /// # use nanospectra::{Light, Reflectance};

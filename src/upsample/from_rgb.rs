@@ -86,7 +86,8 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
     /// # Accuracy
     /// The color is the same for both, within 3e-4 CIEDE2000 for every color that a sigmoid can have (all of sRGB are), on
     /// grids of 6 bands or more that cover 400..=700 nm. What none has becomes the nearest by least squares, and a surface
-    /// brighter than white becomes white: [`Sigmoid`] by itself says so, by a [`Status`](crate::upsample::Status). After
+    /// brighter than white becomes white: [`Sigmoid`] by itself says so, by a [`Status`](crate::upsample::Status). On a
+    /// grid NaN, infinities and a light above 1.7e38 give NaN. After
     /// further surfaces and under other lights the spectrum is what a smooth paint can be, and RGB is off by what
     /// [`RgbBands`] says.
     ///

@@ -5,7 +5,7 @@ use crate::programs::Package;
 use std::process::Output;
 
 /// Program, source, and what its error must say.
-const REFUSED: [(&str, &str, &[&str]); 40] = [
+const REFUSED: [(&str, &str, &[&str]); 41] = [
     (
         "adds_two_grids",
         "use nanospectra::{Bins, Light};
@@ -256,6 +256,12 @@ const REFUSED: [(&str, &str, &[&str]); 40] = [
             "is no stimulus of `Factor` in 31 bins",
             "an eye that has a light folded in (`under`) reads `Factor`",
         ],
+    ),
+    (
+        "shows_a_radiance",
+        "use nanospectra::{Light, Observer, Power, radiometry::Radiance};
+        pub fn look(eye: Observer<3, 31, Power>, seen: Radiance<Light<31>>) { eye.sees(seen); }",
+        &["is no stimulus of `Power` in 31 bins", "by reference, `eye.sees(&lamp)`", "the `.value()`"],
     ),
     (
         "samples_an_rgb",
