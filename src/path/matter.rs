@@ -51,7 +51,7 @@ impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Surface<Plain<Q, P>> for &'
     }
 }
 
-impl<'m, Q, P: Stimulus<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &'m Spectrum<Factor, N, G> {
+impl<Q, P: Stimulus<Q, N, G>, const N: usize, G> Filter<Plain<Q, P>> for &Spectrum<Factor, N, G> {
     type Leaving = <Self as Surface<Plain<Q, P>>>::Leaving;
 
     #[inline]
