@@ -43,8 +43,8 @@ fn main() {
         let (wo, wi) = (Direction::NORMAL, Direction::spherical(degrees.to_radians(), 0.0));
         let arriving = lamp.at_distance(2.0, wi.cos_theta());
         let leaving = arriving.value() * (clay.f(wo, wi) + glaze.f(wo, wi));
-        let [x, y, z] = EYE.sees(leaving.through(&pane));
-        let [r, g, b] = Rgb::<Srgb>::from_xyz(Xyz::new(x, y, z).scaled(0.01)).to_array();
-        println!("{degrees:>4} degrees: Y {y:7.3}, sRGB {r:.4} {g:.4} {b:.4}");
+        let xyz = Xyz::from(EYE.sees(leaving.through(&pane)));
+        let [r, g, b] = Rgb::<Srgb>::from_xyz(xyz).to_array();
+        println!("{degrees:>4} degrees: Y {:7.3}, sRGB {r:.4} {g:.4} {b:.4}", xyz.y);
     }
 }

@@ -39,13 +39,7 @@ impl Effects {
         self.0 == 0
     }
 
-    /// The names of the effects in the set, in English.
-    ///
-    /// ```
-    /// # use nanospectra::path::Effects;
-    /// let vest = Effects::FLUORESCENCE.and(Effects::POLARIZATION);
-    /// assert!(vest.names().eq(["fluorescence", "polarization"]));
-    /// ```
+    /// The names of the effects in the set: `fluorescence`, `phosphorescence`, `polarization`.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         Self::NAMES.iter().filter(move |(effect, _)| self.contains(*effect)).map(|(_, name)| *name)
     }
@@ -68,6 +62,7 @@ impl core::fmt::Display for Effects {
 /// ```
 /// # use nanospectra::path::{Effects, Price};
 /// let effects = Effects::FLUORESCENCE.and(Effects::POLARIZATION);
+/// assert!(effects.names().eq(["fluorescence", "polarization"]));
 /// let price = Price { effects, multiply_adds: 486, bytes: 1296 };
 /// assert_eq!(price.to_string(), "fluorescence + polarization, 486 multiply-adds, 1296 bytes");
 /// assert_eq!(Price::factor(31).to_string(), "no effect, 31 multiply-adds, 124 bytes");

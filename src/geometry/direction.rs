@@ -60,7 +60,6 @@ impl Direction {
         Direction { x: sine * cos_turns(phi_turns), y: sine * sin_turns(phi_turns), z: cos_theta }
     }
 
-    /// What is known to have unit length.
     pub(crate) const fn unit(x: f32, y: f32, z: f32) -> Self {
         Direction { x, y, z }
     }

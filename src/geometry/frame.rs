@@ -81,8 +81,8 @@ impl Frame {
         Self::around(normal, axis(leaning)?)
     }
 
-    /// From a normal of length 1 and a tangent that is at right angles to it but for rounding. (Without this last
-    /// step a normal whose length is 1e-7 off would be 3e-7 off the right angle.)
+    /// From a normal of length 1 and a tangent that is nearly at right angles to it. (Without this last step a normal
+    /// whose length is 1e-7 off would be 3e-7 off the right angle.)
     fn around(normal: [f32; 3], tangent: [f32; 3]) -> Option<Self> {
         let tangent = axis(within(normal, tangent))?;
         Some(Frame { axes: [tangent, axis(cross(normal, tangent))?, normal] })

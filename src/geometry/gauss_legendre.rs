@@ -1,35 +1,33 @@
 //! The nodes and weights of Gauss and Legendre, worked out by the compiler.
 
+use crate::math::const_for;
+
 /// Nodes in 0..1, increasing, and weights that add up to 1: exact for polynomials up to the degree 2 N - 1.
 pub(crate) const fn nodes_and_weights<const N: usize>() -> [(f32, f32); N] {
     let mut table = [(0.0, 0.0); N];
     let n = N as f64;
-    let mut k = 0;
-    while k < N.div_ceil(2) {
+    const_for!(0..N.div_ceil(2), |k| {
         // Newton's method on the Legendre polynomial, from its asymptotic root.
         let mut x = cosine(core::f64::consts::PI * (k as f64 + 0.75) / (n + 0.5));
-        let (mut slope, mut step) = (0.0, 0);
-        while step < 5 {
-            let (mut value, mut before, mut degree) = (x, 1.0, 1);
-            while degree < N {
+        let mut slope = 0.0;
+        const_for!(0..5, |_step| {
+            let (mut value, mut before) = (x, 1.0);
+            const_for!(1..N, |degree| {
                 let next =
                     ((2 * degree + 1) as f64 * x * value - degree as f64 * before) / (degree + 1) as f64;
                 before = value;
                 value = next;
-                degree += 1;
-            }
+            });
             slope = n * (x * value - before) / (x * x - 1.0);
             x -= value / slope;
-            step += 1;
-        }
+        });
         let exact = 1.0 / ((1.0 - x) * (1.0 + x) * slope * slope);
         // Rounded down, so that together they are not more than 1.
         let nearest = exact as f32;
         let weight = if nearest as f64 > exact { nearest.next_down() } else { nearest };
         table[k] = ((0.5 * (1.0 - x)) as f32, weight);
         table[N - 1 - k] = ((0.5 * (1.0 + x)) as f32, weight);
-        k += 1;
-    }
+    });
     table
 }
 

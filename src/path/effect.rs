@@ -115,7 +115,7 @@ impl<L, M, const N: usize, G> Stimulus<Power, N, G> for Affected<L, M, N, G> {
 /// An [`Effect`] of your own as a part of a path, for light to fall on or to go through: `sun.onto(Own::new(&ink))`. If
 /// the matter has a price ([`Priced`]), the path has one.
 #[derive(Debug)]
-pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(&'m M, PhantomData<G>);
+pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(pub(super) &'m M, PhantomData<G>);
 
 impl<M: ?Sized, const N: usize, G> Clone for Own<'_, M, N, G> {
     fn clone(&self) -> Self {
@@ -130,12 +130,6 @@ impl<'m, M: Effect<N, G> + ?Sized, const N: usize, G> Own<'m, M, N, G> {
     #[must_use]
     pub const fn new(matter: &'m M) -> Self {
         Own(matter, PhantomData)
-    }
-
-    /// The matter that this part was made from.
-    #[must_use]
-    pub const fn matter(&self) -> &'m M {
-        self.0
     }
 }
 

@@ -4,8 +4,8 @@ use crate::observer::Stimulus;
 use crate::path::{Plain, Times};
 use crate::spectrum::{Factor, Spectrum};
 
-/// What light can fall on: a surface that sends some of it back. Among them are reflectances (`&Reflectance`, any
-/// [`Factor`]), [`Mirror`](crate::matter::Mirror)s and every [`Effect`](crate::matter::Effect).
+/// What light can fall on: spectra of [`Factor`] (a reflectance), [`Mirror`](crate::matter::Mirror)s and every
+/// [`Effect`](crate::matter::Effect).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no surface that `{L}` can fall on",
     label = "no surface for this light",
@@ -22,9 +22,8 @@ pub trait Surface<L> {
     fn reflect(self, light: L) -> Self::Leaving;
 }
 
-/// What light can go through: transmittances (`&Reflectance`, any [`Factor`]),
-/// [`Polarizer`](crate::matter::Polarizer)s, [`Retarder`](crate::matter::Retarder)s and every
-/// [`Effect`](crate::matter::Effect).
+/// What light can go through: spectra of [`Factor`], [`Polarizer`](crate::matter::Polarizer)s,
+/// [`Retarder`](crate::matter::Retarder)s and every [`Effect`](crate::matter::Effect).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no filter that `{L}` can go through",
     label = "no filter for this light",

@@ -11,9 +11,9 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
     /// Each bin with that of another, by a function.
     #[inline(always)]
     fn zip<P, R>(&self, other: &Spectrum<P, N, G>, f: impl Fn(f32, f32) -> f32) -> Spectrum<R, N, G> {
-        let mut values = self.0;
-        for (value, other) in values.iter_mut().zip(&other.0) {
-            *value = f(*value, *other);
+        let mut values = [0.0; N];
+        for (value, (a, b)) in values.iter_mut().zip(self.0.iter().zip(&other.0)) {
+            *value = f(*a, *b);
         }
         Spectrum::unchecked(values)
     }
@@ -21,8 +21,10 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
     /// Each bin by a function.
     #[inline(always)]
     pub(super) fn each(&self, f: impl Fn(f32) -> f32) -> Self {
-        let mut values = self.0;
-        values.iter_mut().for_each(|value| *value = f(*value));
+        let mut values = [0.0; N];
+        for (value, a) in values.iter_mut().zip(&self.0) {
+            *value = f(*a);
+        }
         Spectrum::unchecked(values)
     }
 }

@@ -3,7 +3,9 @@
 #[cfg(feature = "libm")]
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix64, inverse64};
-use crate::grid::{Bands, Bins, Grid};
+#[cfg(feature = "libm")]
+use crate::grid::Bands;
+use crate::grid::{Bins, Grid};
 use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Quantity, Spectrum};

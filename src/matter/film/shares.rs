@@ -19,7 +19,6 @@ pub struct PowerShares {
 }
 
 impl PowerShares {
-    /// All is reflected.
     pub(super) const MIRROR: Self = PowerShares { reflected: 1.0, transmitted: 0.0, absorbed: 0.0 };
     /// All goes on: there is nothing in the way.
     pub(super) const NOTHING: Self = PowerShares { reflected: 0.0, transmitted: 1.0, absorbed: 0.0 };

@@ -1,6 +1,7 @@
 //! Fluorescent matter of any kind, by its bispectral matrix.
 
 use crate::grid::{Bands, Bins, Grid, by_fields};
+use crate::math::const_for;
 use crate::matter::fluorescent::dye::{FluorescenceError, ROUNDING, wavelength};
 use crate::matter::{Dye, Effect, Foldable};
 use crate::price::{Effects, Price, Priced};
@@ -62,10 +63,10 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         G: Grid,
     {
         let mut packed = Self::NONE;
-        let (mut next, mut i) = (0, 0);
-        while i < N {
-            let (mut energy, mut photons, mut k) = (0.0, 0.0, 0);
-            while k < N {
+        let mut next = 0;
+        const_for!(0..N, |i| {
+            let (mut energy, mut photons) = (0.0, 0.0);
+            const_for!(0..N, |k| {
                 let share = matrix[k][i];
                 if !(0.0 <= share && share < f32::INFINITY) {
                     return Err(FluorescenceError::OutOfRange { bin: i });
@@ -78,16 +79,14 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
                 }
                 energy += share as f64;
                 photons += share as f64 * wavelength::<N, G>(k) / wavelength::<N, G>(i);
-                k += 1;
-            }
+            });
             if energy > 1.0 + ROUNDING {
                 return Err(FluorescenceError::Energy { bin: i });
             }
             if photons > 1.0 + ROUNDING {
                 return Err(FluorescenceError::Photons { bin: i });
             }
-            i += 1;
-        }
+        });
         Ok(packed)
     }
 
@@ -95,12 +94,11 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
     #[must_use]
     pub const fn from_reflectance(reflectance: &Spectrum<Factor, N, G>) -> Self {
         let mut packed = Self::NONE;
-        let (mut start, mut i) = (0, 0);
-        while i < N {
+        let mut start = 0;
+        const_for!(0..N, |i| {
             packed.add(start, reflectance.0[i]);
             start += N - i;
-            i += 1;
-        }
+        });
         packed
     }
 
@@ -108,16 +106,13 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
     #[must_use]
     pub const fn from_dye(dye: &Dye<N, G>) -> Self {
         let mut packed = Self::from_reflectance(&dye.reflectance());
-        let (mut next, mut i) = (0, 0);
-        while i < N {
-            let mut k = i;
-            while k < N {
+        let mut next = 0;
+        const_for!(0..N, |i| {
+            const_for!(i..N, |k| {
                 packed.add(next, dye.emits[k] * dye.absorbs[i]);
                 next += 1;
-                k += 1;
-            }
-            i += 1;
-        }
+            });
+        });
         packed
     }
 }
@@ -145,20 +140,18 @@ impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
     /// [`Foldable::transposed`] in f64, for `const` use.
     pub(crate) const fn transposed_in_f64(&self, weights: &[f32; N]) -> [f32; N] {
         let mut before = [0.0; N];
-        let (mut next, mut i) = (0, 0);
-        while i < N {
-            let (mut sum, mut k) = (0.0, i);
-            while k < N {
+        let mut next = 0;
+        const_for!(0..N, |i| {
+            let mut sum = 0.0;
+            const_for!(i..N, |k| {
                 // (As in `add`.)
                 if next < P {
                     sum += weights[k] as f64 * self.columns[next] as f64;
                 }
                 next += 1;
-                k += 1;
-            }
+            });
             before[i] = sum as f32;
-            i += 1;
-        }
+        });
         before
     }
 }

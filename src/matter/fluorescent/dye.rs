@@ -1,6 +1,7 @@
 //! Matter that absorbs light at one wavelength and emits it at a longer one.
 
 use crate::grid::{Bands, Bins, Grid, Layout, by_fields};
+use crate::math::const_for;
 use crate::matter::effect::glowing;
 use crate::matter::{Effect, Foldable, Glows};
 use crate::observer::Stimulus;
@@ -147,26 +148,21 @@ impl<const N: usize, G: Bands> Dye<N, G> {
         }
         // Photons are power times wavelength: each that is absorbed comes back as one of the emission's mean.
         let (mut power, mut photons) = (0.0, 0.0);
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let values = [reflectance.0[k], absorption.0[k], emission.0[k]];
-            let mut i = 0;
-            while i < 3 {
+            const_for!(0..3, |i| {
                 if !(0.0 <= values[i] && values[i] < f32::INFINITY) {
                     return Err(FluorescenceError::OutOfRange { bin: k });
                 }
-                i += 1;
-            }
+            });
             power += emission.0[k] as f64;
             photons += emission.0[k] as f64 * wavelength::<N, G>(k);
-            k += 1;
-        }
+        });
         if photons == 0.0 {
             return Err(FluorescenceError::NoEmission);
         }
         let mut dye = Dye { reflects: reflectance.0, absorbs: [0.0; N], emits: [0.0; N], grid: PhantomData };
-        k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             // Power emitted in all for each unit of power absorbed.
             let stays = quantum_yield as f64 * wavelength::<N, G>(k) * power / photons;
             let absorbed = absorption.0[k] as f64;
@@ -177,8 +173,7 @@ impl<const N: usize, G: Bands> Dye<N, G> {
             }
             dye.absorbs[k] = (absorbed * stays * Layout::<G, N>::WIDTH) as f32;
             dye.emits[k] = (emission.0[k] as f64 / (power * Layout::<G, N>::WIDTH)) as f32;
-            k += 1;
-        }
+        });
         Ok(dye)
     }
 
@@ -220,18 +215,13 @@ impl<const N: usize, G> Dye<N, G> {
     /// [`Foldable::transposed`] in f64, for `const` use.
     pub(crate) const fn transposed_in_f64(&self, weights: &[f32; N]) -> [f32; N] {
         // How the eye sees the dye's own light.
-        let (mut glow, mut k) = (0.0, 0);
-        while k < N {
-            glow += weights[k] as f64 * self.emits[k] as f64;
-            k += 1;
-        }
+        let mut glow = 0.0;
+        const_for!(0..N, |k| glow += weights[k] as f64 * self.emits[k] as f64);
         let mut before = [0.0; N];
-        k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let reflected = weights[k] as f64 * self.reflects[k] as f64;
             before[k] = (reflected + glow * self.absorbs[k] as f64) as f32;
-            k += 1;
-        }
+        });
         before
     }
 }

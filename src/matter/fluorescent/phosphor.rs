@@ -20,9 +20,8 @@ use crate::spectrum::{Power, Spectrum};
 /// use nanospectra::{Bins, Light, Reflectance};
 ///
 /// type Visible = Bins<400, 700>;
-/// let [reflects, absorbs] = [0.5, 0.5].map(Reflectance::<3, Visible>::flat);
+/// let (reflects, absorbs) = (Reflectance::<3, Visible>::flat(0.5), Reflectance::from_bins([0.5, 0.0, 0.0]));
 /// let green = Light::from_bins([0.0, 1.0, 0.0]);
-/// # let absorbs = Reflectance::from_bins([0.5, 0.0, 0.0]);
 /// let mut paint = Phosphor::new(Dye::new(&reflects, &absorbs, &green, 0.9).unwrap(), 10.0);
 /// let (lamp, dark) = (Light::flat(1.0), Light::flat(0.0));
 /// paint.step(&lamp, 60.0);

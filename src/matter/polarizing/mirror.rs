@@ -1,7 +1,7 @@
 //! Mirrors: glass, water and metal at one angle of incidence.
 
 use crate::grid::{Bins, by_fields};
-use crate::math::sqrt_by_digits;
+use crate::math::{const_for, sqrt_by_digits};
 use crate::matter::polarizing::mueller::along_and_across;
 use crate::matter::{Conductor, Mueller};
 use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
@@ -10,8 +10,7 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// incidence (s, parallel to the surface).
 ///
 /// ```
-/// use nanospectra::matter::Mirror;
-/// use nanospectra::{Bins, Light};
+/// use nanospectra::{Bins, Light, matter::Mirror};
 ///
 /// // Two panes of glass at Brewster's angle (56.31 degrees), parallel: the second reflects twice what it would of
 /// // unpolarized light.
@@ -51,11 +50,7 @@ impl<const N: usize, G> Mirror<N, G> {
     #[must_use]
     pub const fn dielectric(eta: &[f32; N], cos_incidence: f32, s_axis_turns: f32) -> Self {
         let mut elements = [[0.0; 4]; N];
-        let mut k = 0;
-        while k < N {
-            elements[k] = dielectric(eta[k], cos_incidence);
-            k += 1;
-        }
+        const_for!(0..N, |k| elements[k] = dielectric(eta[k], cos_incidence));
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
@@ -105,16 +100,14 @@ impl<const N: usize, G> Mirror<N, G> {
         s_axis_turns: f32,
     ) -> Self {
         let mut elements = [[0.0; 4]; N];
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let ([a, b, both], [cos, sin]) = (along_and_across(s.0[k], p.0[k]), phase[k]);
             elements[k] = [a, b, both * cos, both * sin];
-            k += 1;
-        }
+        });
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// Its reflectance for unpolarized light: the effect left out, by name.
+    /// Its reflectance for unpolarized light.
     #[must_use]
     pub const fn ignoring_polarization(&self) -> Spectrum<Factor, N, G> {
         self.0.ignoring_polarization()

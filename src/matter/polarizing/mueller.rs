@@ -1,7 +1,7 @@
 //! The Mueller matrix that mirrors, polarizers and retarders have in common.
 
 use crate::grid::{Bins, by_fields};
-use crate::math::{cos_turns, sin_turns, sqrt_by_digits};
+use crate::math::{const_for, cos_turns, sin_turns, sqrt_by_digits};
 use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Spectrum};
 use core::marker::PhantomData;
@@ -54,11 +54,7 @@ impl<const N: usize, G> Mueller<N, G> {
     #[must_use]
     pub const fn ignoring_polarization(&self) -> Spectrum<Factor, N, G> {
         let mut values = [0.0; N];
-        let mut k = 0;
-        while k < N {
-            values[k] = self.elements[k][0];
-            k += 1;
-        }
+        const_for!(0..N, |k| values[k] = self.elements[k][0]);
         Spectrum::unchecked(values)
     }
 

@@ -1,6 +1,7 @@
 //! Polarizers: sheets that let light of one polarization through.
 
 use crate::grid::{Bins, by_fields};
+use crate::math::const_for;
 use crate::matter::Mueller;
 use crate::matter::polarizing::mueller::along_and_across;
 use crate::spectrum::{Factor, Spectrum};
@@ -34,12 +35,10 @@ impl<const N: usize, G> Polarizer<N, G> {
         axis_turns: f32,
     ) -> Self {
         let mut elements = [[0.0; 4]; N];
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let [a, b, both] = along_and_across(along.0[k], across.0[k]);
             elements[k] = [a, b, both, 0.0];
-            k += 1;
-        }
+        });
         Polarizer(Mueller::new(elements, axis_turns))
     }
 }

@@ -1,7 +1,7 @@
 //! Retarders: plates that delay light of one polarization against the other.
 
 use crate::grid::{Bands, Bins, Grid, Layout, by_fields};
-use crate::math::{cos_turns, sin_turns};
+use crate::math::{const_for, cos_turns, sin_turns};
 use crate::matter::Mueller;
 use crate::spectrum::{Factor, Spectrum};
 
@@ -42,8 +42,7 @@ impl<const N: usize, G: Bands> Retarder<N, G> {
         G: Grid,
     {
         let mut elements = [[0.0; 4]; N];
-        let mut k = 0;
-        while k < N {
+        const_for!(0..N, |k| {
             let center = Spectrum::<Factor, N, G>::center_nm(k);
             let (width, turns) = (Layout::<G, N>::STEP / center, path_difference_nm / center);
             // The mean of 1 / wavelength over the bin, and half of what it changes by from edge to edge.
@@ -51,8 +50,7 @@ impl<const N: usize, G: Bands> Retarder<N, G> {
             let half = if inner > 0.0 { 0.5 * turns * width / inner } else { f32::INFINITY };
             let size = mean_of_waves(half);
             elements[k] = [1.0, 0.0, size * cos_turns(mean), size * sin_turns(mean)];
-            k += 1;
-        }
+        });
         Retarder(Mueller::new(elements, axis_turns))
     }
 }

@@ -336,7 +336,6 @@ fn rest(reflected: f32, entering: f32) -> f32 {
     if entering < 0.5 { 1.0 - entering } else { reflected }
 }
 
-/// A part of an index, 0 at least.
 fn within_reach(part: f32) -> f32 {
     at_most(at_least(part, 0.0), LARGEST_INDEX)
 }

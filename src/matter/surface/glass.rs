@@ -6,8 +6,8 @@ use crate::spectrum::{RefractiveIndex, Spectrum};
 
 /// A formula for the refractive index of a transparent medium.
 pub trait Glass {
-    /// The refractive index at `nm` (wavelength in air, as makers measure it); `None` at and beside a resonance,
-    /// where the formula gives no index, and for wavelengths that are none.
+    /// The refractive index at `nm` (in air, as makers measure it); `None` where the formula gives none, beside a
+    /// resonance, and for no wavelength.
     fn index(&self, nm: f32) -> Option<f32>;
 
     /// The index at the center of each bin; `None` if one of them has none.

@@ -108,6 +108,7 @@ impl TrowbridgeReitz {
     }
 
     /// The BRDF of facets that reflect all, and the cosine at which they are met; 0 where there are none.
+    #[inline]
     fn lobe(self, wo: Direction, wi: Direction) -> (f32, f32) {
         let above = visible(wo, wi);
         match wo.halfway(wi) {

@@ -79,9 +79,6 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
     }
 
     /// [`from_transmittance`](Self::from_transmittance) on another math backend.
-    ///
-    /// # Errors
-    /// As there.
     pub fn from_transmittance_with<M: Math>(
         plate: &Reflectance<N, G>,
         thickness_m: f32,

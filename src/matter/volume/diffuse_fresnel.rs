@@ -6,8 +6,7 @@ use crate::matter::Dielectric;
 /// Cosines and weights: 8 points on 0..=1.
 static COSINES: [(f32, f32); 8] = nodes_and_weights();
 
-/// Reflectance for unpolarized light at the cosine `cos` in the medium outside, of a surface with the index `eta` >= 1
-/// of the inside over the outside.
+/// Reflectance for unpolarized light that comes from outside at the cosine `cos`.
 pub(super) fn fresnel(eta: f32, cos: f32) -> f32 {
     Dielectric::new(eta).fresnel(cos).unpolarized()
 }

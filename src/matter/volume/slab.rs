@@ -17,16 +17,13 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// ```
 /// # #[cfg(feature = "libm")] {
 /// use nanospectra::matter::{Absorber, Slab};
-/// use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance, Spectrum, observer::CIE_1931};
-///
-/// static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Spline);
-/// let (lamp, paper) = (Light::flat(1.0), Reflectance::flat(0.8));
+/// use nanospectra::{Reflectance, Spectrum};
 ///
 /// // Tinted glass of n = 1.5, 4 mm thick, that lets half through between its faces.
-/// let tint = Absorber::from_transmittance(&Reflectance::flat(0.5), 4e-3)?;
+/// let tint = Absorber::<16>::from_transmittance(&Reflectance::flat(0.5), 4e-3)?;
 /// let window = Slab { index: Spectrum::flat(1.5), absorber: tint, thickness_m: 4e-3 };
-/// let behind = EYE.sees(lamp.onto(&paper).through(&window.transmittance(1.0)));
-/// assert!((behind[1] / EYE.sees(lamp.onto(&paper))[1] - 0.460_98).abs() < 1e-5);
+/// // What lies behind it is seen as `lamp.onto(&paper).through(&window.transmittance(1.0))`.
+/// assert!((window.transmittance(1.0).values()[0] - 0.460_98).abs() < 1e-5);
 /// assert!((window.reflectance(1.0).values()[0] - 0.049_22).abs() < 1e-5);
 /// # }
 /// # Ok::<(), nanospectra::matter::AbsorberError>(())
@@ -49,7 +46,7 @@ pub struct Slab<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Slab<N, G> {
-    /// From the external transmittance (faces included) that a spectrometer measures at right angles; `thickness_m` > 0.
+    /// From the external transmittance (faces included), measured at right angles, and `thickness_m` > 0.
     ///
     /// # Errors
     /// As [`internal_transmittance`], and a thickness that is not finite and above zero.
@@ -63,9 +60,6 @@ impl<const N: usize, G: Bands> Slab<N, G> {
     }
 
     /// [`from_transmittance`](Self::from_transmittance) on another math backend.
-    ///
-    /// # Errors
-    /// As there.
     pub fn from_transmittance_with<M: Math>(
         external: &Spectrum<Factor, N, G>,
         index: Spectrum<RefractiveIndex, N, G>,
@@ -227,8 +221,8 @@ pub fn internal_transmittance<const N: usize, G: Bands>(
     Ok(internal)
 }
 
-/// The sum over all beams, of a face that reflects R and lets E = 1 - R in, and an inside that passes tau and keeps
-/// a = 1 - tau: 1 - R tau = E + R a without cancellation.
+/// The sum over all beams, where a face reflects R and lets E in, and the inside passes tau and keeps a: 1 - R tau is
+/// E + R a without cancellation.
 fn to_and_fro(reflected: f32, entering: f32, passed: f32, lost: f32) -> PowerShares {
     if entering == 0.0 {
         // Grazing, or total reflection.
@@ -244,7 +238,6 @@ fn to_and_fro(reflected: f32, entering: f32, passed: f32, lost: f32) -> PowerSha
     }
 }
 
-/// How far light travels from face to face.
 fn path(thickness: f32, cos: f32) -> f32 {
     if thickness == 0.0 && cos == 0.0 { 0.0 } else { thickness / cos }
 }

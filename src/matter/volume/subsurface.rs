@@ -141,8 +141,8 @@ impl<const N: usize, G: Bands> Burley<N, G> {
     }
 }
 
-/// The distance, in units of Burley's d, within which the `share` of what leaves does: 0 at 0, infinite at 1; NaN
-/// outside 0..=1. The inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4, for placing samples.
+/// The distance, in units of Burley's d, within which the `share` (0..=1, else NaN) of what leaves does, for placing
+/// samples: the inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4.
 ///
 /// # Accuracy
 /// 4e-7, relative, of the share as rounded.
@@ -159,8 +159,7 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
         return f32::NAN;
     }
     if share > 0.5 {
-        // With e = e^(-x/3): e^3 + 3 e = 4 (1 - share), which no digit is lost of. Convex: from above, Newton's steps
-        // stay above.
+        // With e = e^(-x/3): e^3 + 3 e = 4 (1 - share), exactly. Convex: Newton's steps from above stay above.
         let rest = 4.0 * (1.0 - share);
         let mut e = rest / 3.0;
         for _ in 0..4 {
@@ -168,8 +167,7 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
         }
         return if e > 0.0 { -3.0 * M::ln(e) } else { f32::INFINITY };
     }
-    // With e^(-x/3) = 1 - y: y^3 - 3 y^2 + 6 y = 4 share. The left side has no turning point, and is concave: from
-    // below, Newton's steps stay below.
+    // With e^(-x/3) = 1 - y: y^3 - 3 y^2 + 6 y = 4 share. Rising and concave: Newton's steps from below stay below.
     let mut y = share * (2.0 / 3.0);
     for _ in 0..6 {
         let excess = y * (6.0 - y * (3.0 - y)) - 4.0 * share;
@@ -294,7 +292,7 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         self.reflectance_with::<M>() * through
     }
 
-    /// A value for each bin from the albedo of a scattering, sigma_tr and sigma_t': sigma_tr in units of sigma_t'.
+    /// A value for each bin from the albedo of a scattering, sigma_tr / sigma_t' and sigma_t'.
     fn each(&self, value: impl Fn(f32, f32, f32) -> f32) -> Spectrum<Factor, N, G> {
         let mut values = self.absorption;
         for (v, scattering) in values.iter_mut().zip(&self.scattering) {

@@ -1,5 +1,6 @@
 //! Fluorescent matter folded into the eye that looks at it.
 
+use crate::math::const_for;
 use crate::matter::{Donaldson, Dye, Foldable};
 use crate::observer::Observer;
 use crate::spectrum::Power;
@@ -12,11 +13,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
     #[must_use]
     pub const fn looking_at_dye(&self, dye: &Dye<N, G>) -> Self {
         let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            weights[c] = dye.transposed_in_f64(&self.0[c]);
-            c += 1;
-        }
+        const_for!(0..C, |c| weights[c] = dye.transposed_in_f64(&self.0[c]));
         Self::unchecked(weights)
     }
 
@@ -24,11 +21,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
     #[must_use]
     pub const fn looking_at_donaldson<const P: usize>(&self, matter: &Donaldson<N, P, G>) -> Self {
         let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            weights[c] = matter.transposed_in_f64(&self.0[c]);
-            c += 1;
-        }
+        const_for!(0..C, |c| weights[c] = matter.transposed_in_f64(&self.0[c]));
         Self::unchecked(weights)
     }
 

@@ -1,6 +1,7 @@
 //! An observer that asks how light is polarized: what folds mirrors, polarizers and retarders.
 
 use crate::grid::{Bins, by_fields};
+use crate::math::const_for;
 use crate::matter::{Mirror, Mueller, Polarizer, Retarder};
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Spectrum};
@@ -22,15 +23,7 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
     #[must_use]
     pub const fn polarized(&self) -> PolarizedObserver<C, N, Q, G> {
         let mut weights = [[[0.0; 4]; N]; C];
-        let mut c = 0;
-        while c < C {
-            let mut k = 0;
-            while k < N {
-                weights[c][k][0] = self.0[c][k];
-                k += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| const_for!(0..N, |k| weights[c][k][0] = self.0[c][k]));
         PolarizedObserver(weights, PhantomData)
     }
 }
@@ -58,19 +51,7 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
     #[must_use]
     pub const fn through(&self, filter: &Spectrum<Factor, N, G>) -> Self {
         let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            let mut k = 0;
-            while k < N {
-                let mut i = 0;
-                while i < 4 {
-                    weights[c][k][i] *= filter.0[k];
-                    i += 1;
-                }
-                k += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| const_for!(0..N, |k| const_for!(0..4, |i| weights[c][k][i] *= filter.0[k])));
         PolarizedObserver(weights, PhantomData)
     }
 
@@ -79,29 +60,13 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
     #[must_use]
     pub const fn unpolarized_light(&self) -> Observer<C, N, Q, G> {
         let mut weights = [[0.0; N]; C];
-        let mut c = 0;
-        while c < C {
-            let mut k = 0;
-            while k < N {
-                weights[c][k] = self.0[c][k][0];
-                k += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| const_for!(0..N, |k| weights[c][k] = self.0[c][k][0]));
         Observer::unchecked(weights)
     }
 
     pub(in crate::path) const fn behind(&self, element: &Mueller<N, G>) -> Self {
         let mut weights = self.0;
-        let mut c = 0;
-        while c < C {
-            let mut k = 0;
-            while k < N {
-                weights[c][k] = element.fold(k, weights[c][k]);
-                k += 1;
-            }
-            c += 1;
-        }
+        const_for!(0..C, |c| const_for!(0..N, |k| weights[c][k] = element.fold(k, weights[c][k])));
         PolarizedObserver(weights, PhantomData)
     }
 }

@@ -33,7 +33,6 @@ enum Eye<const C: usize, const N: usize, G> {
 }
 
 impl<const C: usize, const N: usize, G> Eye<C, N, G> {
-    /// Its weights for light that is unpolarized.
     fn unpolarized(self) -> Observer<C, N, Power, G> {
         match self {
             Eye::Plain(eye) => eye,
@@ -48,7 +47,6 @@ impl<const C: usize, const N: usize, G> Eye<C, N, G> {
         }
     }
 
-    /// Behind a filter.
     fn through(self, factors: &Spectrum<Factor, N, G>) -> Self {
         match self {
             Eye::Plain(eye) => Eye::Plain(eye.through(factors)),

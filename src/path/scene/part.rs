@@ -93,6 +93,6 @@ impl<'a, const N: usize, G> IntoPart<'a, N, G> for Part<'a, N, G> {
 
 impl<'a, M: Foldable<N, G> + Sync, const N: usize, G> IntoPart<'a, N, G> for Own<'a, M, N, G> {
     fn into_part(self) -> Part<'a, N, G> {
-        Part::Effect(self.matter())
+        Part::Effect(self.0)
     }
 }

@@ -35,10 +35,6 @@ use crate::path::{Effects, Price};
 /// let walked = EYE.sees(&scene.leaving(&lamp)?);
 /// let folded = scene.fold(&EYE)?.sees(&lamp);
 /// assert!((folded[1] / walked[1] - 1.0).abs() < 4e-7);
-/// // Both are what the typed path gives.
-/// let typed = EYE.sees(lamp.through(&window).onto(&vest));
-/// assert!((typed[1] / walked[1] - 1.0).abs() < 4e-7);
-///
 /// // 64 multiply-adds for the parts, where the folded eye has them in its weights.
 /// assert_eq!(scene.price().multiply_adds, 16 + 3 * 16);
 /// # Ok::<(), Box<dyn core::error::Error>>(())

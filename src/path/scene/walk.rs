@@ -19,7 +19,6 @@ impl<const N: usize> Beam<N> {
         }
     }
 
-    /// Behind a filter.
     fn dimmed<G>(self, factors: &Spectrum<Factor, N, G>) -> Self {
         match self {
             Beam::Plain(light) => Beam::Plain(times(light, factors)),
@@ -45,7 +44,6 @@ impl<const N: usize> Beam<N> {
         }
     }
 
-    /// Behind what polarizes.
     fn turned<G>(self, element: &Mueller<N, G>) -> Self {
         let mut turned = [[0.0; 4]; N];
         match self {
