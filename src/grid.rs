@@ -19,7 +19,7 @@
 /// assert_eq!((spectral.peak(), rgb.peak()), (0.25, 0.25));
 /// ```
 ///
-/// A type that implements [`Grid`] needs no other implementation.
+/// Bands of your own are a type with [`Grid`], or an RGB space of your own in `RgbBands`: there is no other kind.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` says nothing of what the numbers of a spectrum belong to",
     note = "use `Bins`, `Nodes`, a type with `Grid`, or `RgbBands` for red, green and blue"

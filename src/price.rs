@@ -6,7 +6,7 @@
 pub struct Effects(u8);
 
 impl Effects {
-    /// Every bin keeps its light, unpolarized: factors and nothing else.
+    /// No effect: the light of each bin is multiplied by a factor, and stays unpolarized.
     pub const NONE: Effects = Effects(0);
     /// Light absorbed at one wavelength and emitted at another.
     pub const FLUORESCENCE: Effects = Effects(1);
@@ -21,25 +21,25 @@ impl Effects {
         (Effects::POLARIZATION, "polarization"),
     ];
 
-    /// Those of both.
+    /// The effects that are in this set or in `other`.
     #[must_use]
     pub const fn and(self, other: Effects) -> Effects {
         Effects(self.0 | other.0)
     }
 
-    /// Whether all of `other` are in it.
+    /// Whether all effects of `other` are in this set.
     #[must_use]
     pub const fn contains(self, other: Effects) -> bool {
         self.0 & other.0 == other.0
     }
 
-    /// Whether there are none.
+    /// Whether the set is empty.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// The name of each: `fluorescence`, `phosphorescence`, `polarization`.
+    /// The names of the effects in the set: `fluorescence`, `phosphorescence`, `polarization`.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         Self::NAMES.iter().filter(move |(effect, _)| self.contains(*effect)).map(|(_, name)| *name)
     }
@@ -70,7 +70,7 @@ impl core::fmt::Display for Effects {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Price {
-    /// The effects that are in it.
+    /// The effects that it computes.
     pub effects: Effects,
     /// Multiplications (most with an addition) for evaluating all bins once, at most: the compiler leaves out what does
     /// not reach the eye. An observer of `C` channels adds `C * N` of its own.
@@ -86,22 +86,22 @@ impl core::fmt::Display for Price {
 }
 
 impl Price {
-    /// Nothing.
+    /// The price of nothing: no effects, no multiplications, no bytes.
     pub const NONE: Price = Price { effects: Effects::NONE, multiply_adds: 0, bytes: 0 };
 
-    /// A light of `bands` numbers.
+    /// The price of a light of `bands` numbers: its bytes.
     #[must_use]
     pub const fn light(bands: usize) -> Price {
         Price { bytes: 4 * bands, ..Price::NONE }
     }
 
-    /// A filter or surface of `bands` factors.
+    /// The price of a filter or surface of `bands` factors: one multiplication for each, and its bytes.
     #[must_use]
     pub const fn factor(bands: usize) -> Price {
         Price { multiply_adds: bands, bytes: 4 * bands, ..Price::NONE }
     }
 
-    /// One after the other.
+    /// The price of both, one after the other.
     #[must_use]
     pub const fn plus(self, other: Price) -> Price {
         Price {
@@ -111,14 +111,14 @@ impl Price {
         }
     }
 
-    /// The same with so many more multiplications.
+    /// This price with `more` multiplications added.
     #[must_use]
     pub const fn and_multiply_adds(self, more: usize) -> Price {
         Price { multiply_adds: self.multiply_adds + more, ..self }
     }
 }
 
-/// What has a price that is known while compiling: light on its way, and matter. A spectrum has the price of a light.
+/// Light on its way, or matter, whose price is known while compiling. A spectrum has the price of a light.
 ///
 /// ```
 /// use nanospectra::path::{Plain, Priced, Times};
@@ -132,7 +132,7 @@ impl Price {
 /// assert_eq!((scene.price().multiply_adds, scene.price().bytes), (2 * 31, 3 * 31 * 4));
 /// ```
 pub trait Priced {
-    /// All that it takes to get to the numbers once.
+    /// The price of working out all numbers once.
     const PRICE: Price;
     /// The multiplications of [`PRICE`](Self::PRICE) that a second reading of the numbers would take again. Light
     /// that makes matter fluoresce is read twice.

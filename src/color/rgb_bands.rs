@@ -48,7 +48,7 @@ impl<S: RgbSpace> StandardObserver<3> for RgbBands<S> {
 }
 
 impl<Q, S: RgbSpace> Spectrum<Q, 3, RgbBands<S>> {
-    /// As a color; linear.
+    /// The three numbers as a linear color.
     #[must_use]
     #[inline]
     pub const fn to_rgb(&self) -> Rgb<S> {

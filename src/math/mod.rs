@@ -8,6 +8,7 @@
 mod backend;
 mod complex;
 mod const_for;
+mod const_unwrap;
 mod double;
 mod fast;
 #[cfg(feature = "libm")]

@@ -48,7 +48,8 @@ pub trait Effect<const N: usize, G = Bins<380, 730>> {
 }
 
 /// An [`Effect`] that emits one spectrum, however it was excited: what leaves each bin needs the light of that bin and
-/// one number, the glow. So a path works it out bin by bin.
+/// one number, the glow. So a path works out a [`Dye`](crate::matter::Dye) and a [`Phosphor`](crate::matter::Phosphor)
+/// bin by bin; an effect of your own needs no more than [`Effect`], and is worked out in all bins at once.
 pub trait Glows<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// The factor by which the emission is multiplied, under this light.
     fn glow_in(&self, light: &Spectrum<Power, N, G>) -> f32;
@@ -84,7 +85,8 @@ pub(super) fn glowing<const N: usize, G>(
 )]
 pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// The weights that light has before it meets the matter, for an eye that gives these weights to what leaves: the
-    /// transpose of [`leaving`](Effect::leaving), as it stands at `N` times its cost.
+    /// transpose of [`leaving`](Effect::leaving). As it stands it asks what leaves of light in one bin after the other,
+    /// at `N` times the cost; it is meaningless for matter that is not linear, and NaN where that is.
     fn transposed(&self, weights: &[f32; N]) -> [f32; N] {
         let mut before = [0.0; N];
         for (k, before) in before.iter_mut().enumerate() {
@@ -102,12 +104,14 @@ pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
         Spectrum::unchecked(shares)
     }
 
-    /// What [bills](crate::path::Scene::bill) call it.
+    /// Its name in [bills](crate::path::Scene::bill).
     fn name(&self) -> &'static str {
         "effect"
     }
 
-    /// What [`leaving`](Effect::leaving) costs: as it stands, the work of a full matrix.
+    /// What [`leaving`](Effect::leaving) costs, for [bills](crate::path::Scene::bill): as it stands an estimate, the
+    /// work of a full matrix and the size of the value. If your matter is [`Priced`](crate::path::Priced), return its
+    /// `PRICE`.
     fn price(&self) -> Price {
         Price { effects: Effects::FLUORESCENCE, multiply_adds: N * N, bytes: size_of_val(self) }
     }

@@ -177,7 +177,7 @@ impl<const M: usize> Moments<M> {
     }
 
     /// The histospline: with m the second derivative of the cumulative at the inner edges,
-    /// m[i-1] + 4 m[i] + m[i+1] = 6 (s[i] - s[i-1]), and m = 0 at both ends. The response is
+    /// `m[i-1] + 4 m[i] + m[i+1] = 6 (s[i] - s[i-1])`, and m = 0 at both ends. The response is
     /// `mass . s + g . m`, so its weights are `mass + 6 D' T^-1 g`: one solve, transposed.
     const fn spline(&self) -> [f64; M] {
         // g at the edge below bin i, for i in 1..M.

@@ -80,7 +80,7 @@ impl<L: Stimulus<Power, N, G>, M: Glows<N, G>, const N: usize, G> Stimulus<Power
     }
 }
 
-/// Light `L` after matter `M` that moves it between bins: worked out, since every bin needs all of `L`.
+/// Light `L` after matter `M` that moves it between bins. All bins are worked out at once, since each needs all of `L`.
 pub struct Affected<L, M, const N: usize, G> {
     light: Spectrum<Power, N, G>,
     from: PhantomData<(L, M)>,
@@ -114,10 +114,19 @@ impl<L, M, const N: usize, G> Stimulus<Power, N, G> for Affected<L, M, N, G> {
 
 /// An [`Effect`] of your own as a part of a path, for light to fall on or to go through: `sun.onto(Own::new(&ink))`. If
 /// the matter has a price ([`Priced`]), the path has one.
+#[derive(Debug)]
 pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(pub(super) &'m M, PhantomData<G>);
 
+impl<M: ?Sized, const N: usize, G> Clone for Own<'_, M, N, G> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: ?Sized, const N: usize, G> Copy for Own<'_, M, N, G> {}
+
 impl<'m, M: Effect<N, G> + ?Sized, const N: usize, G> Own<'m, M, N, G> {
-    /// This matter.
+    /// A part of a path that does to light what `matter` does.
     #[must_use]
     pub const fn new(matter: &'m M) -> Self {
         Own(matter, PhantomData)

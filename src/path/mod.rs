@@ -28,22 +28,19 @@
 //!
 //! ```
 //! use nanospectra::matter::{Dye, Mirror, Polarizer};
-//! use nanospectra::{Bins, Light, Observer, Power, Reflectance};
+//! use nanospectra::{Bins, Light, Observer, Power, Reflectance, const_unwrap};
 //!
 //! type Grid = Bins<400, 700>;
 //! const EYE: Observer<1, 3, Power, Grid> = Observer::from_rows([[0.1, 0.8, 0.3]]);
 //! const LAMP: Light<3, Grid> = Light::from_bins([1.0, 0.6, 0.4]);
 //! static SHEET: Polarizer<3, Grid> = Polarizer::ideal(0.0);
 //! static LAKE: Mirror<3, Grid> = Mirror::dielectric(&[1.33; 3], 0.6, 0.0);
-//! static VEST: Dye<3, Grid> = match Dye::new(
+//! static VEST: Dye<3, Grid> = const_unwrap!(Dye::new(
 //!     &Reflectance::from_bins([0.1, 0.8, 0.8]),
 //!     &Reflectance::from_bins([0.8, 0.0, 0.0]),
 //!     &Light::from_bins([0.0, 1.0, 0.0]),
 //!     0.9,
-//! ) {
-//!     Ok(vest) => vest,
-//!     Err(_) => panic!("no such dye"),
-//! };
+//! ));
 //! // The vest, seen in the lake through the sheet, under the lamp with something before it.
 //! static FOLDED: Observer<1, 3, Power, Grid> = EYE
 //!     .polarized()

@@ -4,14 +4,15 @@
 macro_rules! on_its_way {
     ([$($generics:ident),*] $light:ty, |$path:ident| $new:expr) => {
         impl<$($generics),*> $light {
-            /// Light by way of `path`: to begin with something of your own.
+            /// Light that comes by way of `path`, any [`Stimulus`](crate::observer::Stimulus) or
+            /// [`StokesPath`](crate::path::StokesPath): for a path that begins with something of your own.
             #[must_use]
             #[inline]
             pub const fn new($path: P) -> Self {
                 $new
             }
 
-            /// The path by itself: for those who write a [`Surface`] or a [`Filter`].
+            /// Takes the path out again, for a [`Surface`] or a [`Filter`] of your own.
             #[must_use]
             #[inline]
             pub fn into_inner(self) -> P {
@@ -32,7 +33,7 @@ macro_rules! on_its_way {
                 surface.reflect(self)
             }
 
-            /// What evaluating this path once costs.
+            /// The price of working out this path once.
             #[must_use]
             pub const fn price(&self) -> Price
             where

@@ -38,7 +38,7 @@ impl<Q, L: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Times<L, 
 pub struct Plain<Q, P>(P, PhantomData<Q>);
 
 impl<Q, P> Plain<Q, P> {
-    /// All bins worked out, to be read more than once.
+    /// Works out all bins, once, to a spectrum that can be read more than once.
     #[must_use]
     #[inline]
     pub fn collected<const N: usize, G>(&self) -> Spectrum<Q, N, G>

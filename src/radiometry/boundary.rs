@@ -34,7 +34,7 @@ pub struct SurfaceRadiance<A, B> {
 }
 
 impl<A: Clone> SurfaceRadiance<A, A> {
-    /// A surface that is none: in free space radiance is continuous, both limits are one. What leaves in a
+    /// An imagined surface in free space, where radiance is continuous and both limits are one. What leaves in a
     /// direction is then what arrives from the opposite one: Lo(p, w) = Li(p, -w).
     #[must_use]
     pub fn free_space(normal: [f32; 3], radiance: A) -> Self {

@@ -104,3 +104,21 @@ impl<const N: usize, G: Bands> Carried for Light<N, G> {
         Kind::Colors(_) => Units::Radiant,
     };
 }
+
+/// The largest f32 for what is larger; NaN stays.
+#[inline]
+pub(super) fn finite(x: f32) -> f32 {
+    if x.is_infinite() { f32::MAX.copysign(x) } else { x }
+}
+
+/// A quotient that is always finite: nothing over anything is nothing.
+#[inline]
+pub(super) fn ratio(part: f32, whole: f32) -> f32 {
+    if part == 0.0 && whole == 0.0 { 0.0 } else { finite(part / whole) }
+}
+
+/// A quantity over a number.
+#[inline]
+pub(super) fn over<V: Carried>(value: V, whole: f32) -> V {
+    value.map(|part| ratio(part, whole))
+}

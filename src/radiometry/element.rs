@@ -1,7 +1,8 @@
 //! A small piece of a surface as a piece of the directions: integrals over directions become integrals over area.
 
 use crate::geometry::vec3::{difference, dot, scaled, to_unity, unit};
-use crate::radiometry::relations::{finite, in_front, ratio};
+use crate::radiometry::carried::{finite, ratio};
+use crate::radiometry::relations::in_front;
 
 /// A small piece of a surface that looks to one side.
 ///

@@ -3,8 +3,7 @@
 use crate::grid::{Bands, Grid};
 use crate::math::{assigning_operator, linear_operators, operator};
 use crate::observer::{KM, KM_SCOTOPIC, Observer, V_PHOTOPIC, V_SCOTOPIC};
-use crate::radiometry::carried::Units;
-use crate::radiometry::relations::over;
+use crate::radiometry::carried::{Units, over};
 use crate::radiometry::{Carried, Luminous, Radiant, Scotopic};
 use crate::spectrum::{Factor, Fine, Light, Power, Spectrum};
 use core::fmt;
@@ -18,10 +17,10 @@ macro_rules! quantity {
         pub struct $name<V>(V);
 
         impl<V: Carried> $name<V> {
-            /// Nothing.
+            /// No light: the value 0, in every bin of a spectrum.
             pub const NONE: Self = $name(V::ZERO);
 
-            /// The unit, for tools.
+            /// The symbol of the unit: `"W/m2"`, `"lx"`, `"W/(m2 nm)"`.
             pub const UNIT: &'static str = match V::UNITS {
                 Units::Radiant => $radiant,
                 Units::Luminous => $luminous,
@@ -29,13 +28,13 @@ macro_rules! quantity {
                 Units::Spectral => $spectral,
             };
 
-            /// Of what it carries: `Luminous(800.0)`, a `Light`, in the unit [`UNIT`](Self::UNIT).
+            /// A quantity of this value (`Luminous(800.0)`, a `Light`), in the unit [`UNIT`](Self::UNIT).
             #[must_use]
             pub const fn new(value: V) -> Self {
                 $name(value)
             }
 
-            /// What it carries, in the unit [`UNIT`](Self::UNIT).
+            /// The value that it carries, in the unit [`UNIT`](Self::UNIT).
             #[must_use]
             pub const fn value(self) -> V {
                 self.0
@@ -93,7 +92,7 @@ macro_rules! quantity {
                 $name(Radiant(self.0.power()))
             }
 
-            /// As the eye counts it, by V(lambda) folded to this grid: 683.002 lm/W times what `v` reads.
+            /// This quantity as the eye counts it, by V(lambda) folded to this grid: 683.002 lm/W times what `v` reads.
             ///
             /// `v` has to be V(lambda), `V_PHOTOPIC.fold(..)`: any observer of one row on this grid has its type, and
             /// with another one the number is no lumen.
@@ -103,7 +102,8 @@ macro_rules! quantity {
                 $name(Luminous(KM * sum))
             }
 
-            /// As the dark-adapted eye counts it, by V'(lambda) folded to this grid: 1700 lm/W times what it reads.
+            /// This quantity as the dark-adapted eye counts it, by V'(lambda) folded to this grid: 1700 lm/W times what
+            /// it reads.
             ///
             /// `v_scotopic` has to be V'(lambda), `V_SCOTOPIC.fold(..)`, which its type does not say.
             #[must_use]
@@ -114,7 +114,7 @@ macro_rules! quantity {
         }
 
         impl $name<Fine<Power>> {
-            /// As the eye counts it: 683.002 lm/W times the 1 nm sum with V(lambda).
+            /// This quantity as the eye counts it: 683.002 lm/W times the 1 nm sum with V(lambda).
             ///
             /// # Reference
             /// CIE 18:2019.
@@ -123,7 +123,7 @@ macro_rules! quantity {
                 self.luminous_by(&V_PHOTOPIC)
             }
 
-            /// As the dark-adapted eye counts it: 1700 lm/W times the 1 nm sum with V'(lambda).
+            /// This quantity as the dark-adapted eye counts it: 1700 lm/W times the 1 nm sum with V'(lambda).
             #[must_use]
             pub fn scotopic(&self) -> $name<Scotopic> {
                 self.scotopic_by(&V_SCOTOPIC)

@@ -9,6 +9,7 @@ use crate::geometry::{Direction, Hemisphere};
 use crate::math::operator;
 use crate::matter::Brdf;
 use crate::matter::scattering::{self, Quadrature};
+use crate::radiometry::carried::{finite, over};
 use crate::radiometry::{Carried, Energy, Exitance, Flux, Intensity, Irradiance, Radiance};
 use core::f32::consts::{FRAC_1_PI, PI};
 use core::ops::Mul;
@@ -16,24 +17,6 @@ use core::ops::Mul;
 /// A cosine where it is positive; 0 behind the surface; NaN stays.
 pub(super) fn in_front(cos_theta: f32) -> f32 {
     if cos_theta <= 0.0 { 0.0 } else { cos_theta }
-}
-
-/// The largest f32 for what is larger; NaN stays.
-#[inline]
-pub(super) fn finite(x: f32) -> f32 {
-    if x.is_infinite() { f32::MAX.copysign(x) } else { x }
-}
-
-/// A quotient that is always finite: nothing over anything is nothing.
-#[inline]
-pub(super) fn ratio(part: f32, whole: f32) -> f32 {
-    if part == 0.0 && whole == 0.0 { 0.0 } else { finite(part / whole) }
-}
-
-/// A quantity over a number.
-#[inline]
-pub(super) fn over<V: Carried>(value: V, whole: f32) -> V {
-    value.map(|part| ratio(part, whole))
 }
 
 impl<V: Carried> Energy<V> {

@@ -4,8 +4,9 @@ use crate::geometry::vec3::{difference, dot, scaled, sum, to_unity, unit};
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::radiometry::carried::{finite, ratio};
 use crate::radiometry::form_factor::{to_disk, to_polygon_with, to_sphere_with};
-use crate::radiometry::relations::{finite, in_front, ratio};
+use crate::radiometry::relations::in_front;
 use crate::radiometry::{Carried, Intensity, Irradiance, Radiance};
 
 /// A source too small to have a shape, equally bright to all sides.

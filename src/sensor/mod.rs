@@ -27,7 +27,6 @@
 
 mod calibrate;
 pub mod chip;
-mod const_unwrap;
 pub mod fixed;
 mod meter;
 mod reading;

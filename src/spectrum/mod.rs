@@ -14,8 +14,8 @@ mod series;
 #[cfg(feature = "heapless")]
 pub use collect::{PushError, Samples};
 pub use interpolate::Interpolation;
-pub use quantity::{Factor, PerBin, Power, Quantity, RefractiveIndex};
-pub use samples::{Outside, SamplesError};
+pub use quantity::{Factor, Outside, PerBin, Power, Quantity, RefractiveIndex};
+pub use samples::SamplesError;
 pub use series::{Fine, Light, Reflectance, Spectrum};
 
 #[cfg(feature = "libm")]

@@ -1,7 +1,5 @@
 //! What the numbers of a spectrum mean.
 
-use crate::spectrum::Outside;
-
 /// What a spectrum's averages are averages of: [`Power`] or [`Factor`].
 ///
 /// An observer carries the quantity it reads, so a lamp cannot be shown to an eye that already
@@ -36,6 +34,27 @@ pub struct RefractiveIndex;
 /// [`density`](crate::Spectrum::density) divides by the width of the bins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PerBin;
+
+/// What a spectrum is where it has no data. Its quantity decides ([`Quantity::OUTSIDE`]); methods whose names end in
+/// `_outside` take another choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outside {
+    /// Nothing: what a light is taken for.
+    Zero,
+    /// What the nearest sample says: what reflectances and refractive indices are taken for.
+    Hold,
+}
+
+impl Outside {
+    /// The value beyond an end whose last value is `end`.
+    pub(crate) const fn beyond(self, end: f32) -> f32 {
+        match self {
+            Outside::Zero => 0.0,
+            Outside::Hold => end,
+        }
+    }
+}
 
 impl Quantity for Power {
     const OUTSIDE: Outside = Outside::Zero;

@@ -2,19 +2,8 @@
 
 use crate::grid::Grid;
 use crate::spectrum::interpolate::{Interpolation, Place};
-use crate::spectrum::{Quantity, Spectrum};
+use crate::spectrum::{Outside, Quantity, Spectrum};
 use core::fmt;
-
-/// What a spectrum is where it has no data. Its quantity decides ([`Quantity::OUTSIDE`]); methods whose names end in
-/// `_outside` take another choice.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Outside {
-    /// Nothing: what a light is taken for.
-    Zero,
-    /// What the nearest sample says: what reflectances and refractive indices are taken for.
-    Hold,
-}
 
 /// Why samples are not a spectrum. `index` counts samples from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,16 +128,6 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
             }
         }
         Ok(Self::from_bins(values))
-    }
-}
-
-impl Outside {
-    /// The value beyond an end whose last value is `end`.
-    pub(crate) const fn beyond(self, end: f32) -> f32 {
-        match self {
-            Outside::Zero => 0.0,
-            Outside::Hold => end,
-        }
     }
 }
 

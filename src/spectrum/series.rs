@@ -5,7 +5,7 @@ use crate::spectrum::{Factor, PerBin, Power};
 use core::marker::PhantomData;
 
 /// A spectrum: `N` equal bins that tile the grid `G`, each holding the *average* of the quantity
-/// `Q` over its bin. (Only [`PerBin`](crate::PerBin) means totals.)
+/// `Q` over its bin. (Only [`PerBin`] means totals.)
 ///
 /// With averages power is the plain sum times the bin width, a constant stays exactly that
 /// constant, and a laser line keeps its power at every `N`. (Point samples are the trap: 31

@@ -1,6 +1,6 @@
 //! Paints mixed in a pot, after Kubelka and Munk.
 
-use crate::grid::Grid;
+use crate::grid::Bands;
 use crate::math::sqrt;
 use crate::spectrum::{Factor, Spectrum};
 
@@ -24,7 +24,7 @@ use crate::spectrum::{Factor, Spectrum};
 /// assert!(gray.values()[7] < 0.72); // a hundredth of black takes a quarter of the light
 /// ```
 #[must_use]
-pub fn kubelka_munk<const N: usize, G: Grid>(
+pub fn kubelka_munk<const N: usize, G: Bands>(
     paints: &[(f32, &Spectrum<Factor, N, G>)],
 ) -> Spectrum<Factor, N, G> {
     let (mut ratios, mut whole) = ([0.0; N], 0.0);

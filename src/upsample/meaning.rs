@@ -19,7 +19,7 @@ pub struct SigmoidReflectance {
     pub shape: Shape,
     /// What it is multiplied with; 0..=1, for grays up to 2 (their curve is 1/2).
     pub scale: f32,
-    /// Is it what is missing to 1? So it is for bright colors.
+    /// Whether the reflectance is 1 minus scale times the curve, as for bright colors.
     pub complement: bool,
 }
 

@@ -43,7 +43,7 @@ pub struct CohenR<const N: usize, Q = Factor, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
-    /// Of this observer; for `const` use.
+    /// The matrix R of this observer; for `const` use.
     ///
     /// An observer one of whose rows is a mixture of the others (two bands are too few for three) has no R, and what
     /// this splits means nothing.

@@ -47,7 +47,7 @@
 //! [`Spectrum::from_rgb`](crate::Spectrum::from_rgb) is the short way to a reflectance or a light: by the standard
 //! observer, under the white of the space, on any grid.
 //!
-//! Around it: [`Display`] (what a screen emits for an RGB), [`kubelka_munk`] (mixed paints) and
+//! Around it: [`Display`] (what a screen emits for an RGB), [`kubelka_munk()`] (mixed paints) and
 //! [`CohenR`] (what of a spectrum an eye cannot see).
 //!
 //! # The idea

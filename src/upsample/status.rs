@@ -8,27 +8,27 @@ use crate::color::{Cie94Weights, Xyz, cie76, cie94};
 pub struct Solved<T> {
     /// The spectrum.
     pub spectrum: T,
-    /// Has it the color?
+    /// Whether it has the color, and if not, how near it is.
     pub status: Status,
 }
 
-/// Has the spectrum the color that was asked for?
+/// How near the color of a solved spectrum is to the one that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Status {
-    /// Yes: within 0.002 CIEDE2000.
+    /// The spectrum has the color, within 0.002 CIEDE2000.
     Exact,
-    /// No sigmoid has it; this one is that much of the way to it from the gray of its luminance, or black or white
-    /// where that is none.
+    /// No sigmoid has the color. This one lies on the way to it from the gray of its luminance, or is black or white
+    /// where there is no such gray.
     Desaturated {
         /// How much of the way from gray to the color, 0..1.
         kept: f32,
-        /// Where that is, beside what was asked for.
+        /// The color of this spectrum, beside the one that was asked for.
         miss: Miss,
     },
-    /// No sigmoid has it; this one is near, by least squares. (Next to the limit of what sigmoids have f32 cannot tell:
-    /// this may then be as near as 0.0005, or as far as 0.2 where f64 finds an exact one.)
+    /// No sigmoid has the color; this one is near, by least squares. (Next to the limit of what sigmoids have f32
+    /// cannot tell: this may then be as near as 0.0005, or as far as 0.2 where f64 finds an exact one.)
     Unreachable(Miss),
     /// A component is NaN or infinite, or so large that the spectrum would be; the spectrum is NaN.
     NotFinite,
@@ -38,11 +38,11 @@ pub enum Status {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Miss {
-    /// Asked for.
+    /// The color that was asked for.
     pub asked: Xyz,
-    /// What the spectrum has.
+    /// The color that the spectrum has.
     pub given: Xyz,
-    /// The white both are seen against.
+    /// The white that both are seen against.
     pub white: Xyz,
 }
 

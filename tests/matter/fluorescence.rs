@@ -189,7 +189,7 @@ fn a_grid_that_ends_within_the_absorption_loses_what_is_beyond() {
 fn a_matrix_of_the_dye_differs_by_what_the_dye_emits_at_shorter_waves() {
     let model = Model::new();
     let vest: Dye<31> = fine_vest().resample();
-    let matrix: Donaldson<31, 496> = Donaldson::of_dye(&vest);
+    let matrix: Donaldson<31, 496> = Donaldson::from_dye(&vest);
     let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Spline);
     let mut worst = 0.0f64;
     for id in LIGHTS {
@@ -227,7 +227,7 @@ fn a_matrix_without_fluorescence_is_its_diagonal_to_the_bit() {
     let (_, fine) = lamp("FL2");
     let light: Light<31> = fine.resample();
     let paper = spectral::<Factor, 31, Bins<380, 730>>(reflectance);
-    let matrix: Donaldson<31, 496> = Donaldson::of_reflectance(&paper);
+    let matrix: Donaldson<31, 496> = Donaldson::from_reflectance(&paper);
     assert_eq!(light.onto(&matrix).collected(), light.onto(&paper).collected());
     let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
     assert_eq!(eye.looking_at_donaldson(&matrix).weights(), eye.looking_at(&paper).weights());
@@ -423,7 +423,7 @@ fn what_glows_has_its_price() {
     type Vest = Dye<31>;
     assert_eq!((Vest::PRICE.multiply_adds, Vest::PRICE.bytes), (93, 372));
     let (light, vest) = (Light::<31>::flat(1.0), fine_vest().resample::<31, _>());
-    let (paper, matrix) = (Reflectance::flat(0.5), Donaldson::<31, 496>::of_dye(&vest));
+    let (paper, matrix) = (Reflectance::flat(0.5), Donaldson::<31, 496>::from_dye(&vest));
     // Light that comes by way of the paper is worked out twice: for what the dye absorbs, and for what it reflects.
     let price = light.onto(&paper).onto(&vest).price();
     assert_eq!((price.multiply_adds, price.bytes), (31 + 93 + 31, 124 + 124 + 372));
@@ -452,7 +452,7 @@ proptest! {
     ) {
         let light = Light::<31>::from_bins(*light.values());
         let dye = Dye::new(&(r * 0.5), &(a * 0.3), &Light::from_bins(*e.values()), 0.9).expect("possible");
-        let matrix: Donaldson<31, 496> = Donaldson::of_dye(&dye);
+        let matrix: Donaldson<31, 496> = Donaldson::from_dye(&dye);
         let eye: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
         let walked = eye.sees(light.onto(&paper).onto(&dye).through(&glass));
         let folded = eye.through(&glass).looking_at_dye(&dye).looking_at(&paper);

@@ -8,7 +8,8 @@ use nanospectra::matter::scattering::{rho_hd, scattered};
 use nanospectra::matter::{Brdf, Lambert, Microfacet, OrenNayar, Smooth, Specular, TrowbridgeReitz};
 use nanospectra::observer::StandardObserver;
 use nanospectra::radiometry::{Intensity, Irradiance, Radiance};
-use nanospectra::upsample::FromRgb;
+use nanospectra::sensor::fixed::FixedObserver;
+use nanospectra::upsample::{FromRgb, kubelka_munk};
 use nanospectra::{Bands, Bins, Light, Nodes, Observer, Power, Reflectance};
 use proptest::prelude::*;
 
@@ -163,4 +164,18 @@ fn the_white_of_each_space_is_seen_as_it_is() {
     holds::<Srgb>();
     holds::<DisplayP3>();
     holds::<AcesCg>();
+}
+
+/// Mixed paints and observers in integers mean no wavelengths either.
+#[test]
+fn paints_and_integers_need_no_wavelengths() {
+    fn seen<const N: usize, G: StandardObserver<N>>() -> (f32, f32) {
+        let (white, black) = (Reflectance::<N, G>::flat(1.0), Reflectance::flat(0.04));
+        let eye = Observer::<3, N, Power, G>::standard();
+        let fixed = FixedObserver::new(&eye).expect("weights");
+        let y = fixed.sees(&[10_000; N])[1] as f32 * fixed.unit() / 10_000.0;
+        (kubelka_munk(&[(0.99, &white), (0.01, &black)])[1], y)
+    }
+    let (spectral, rgb) = (seen::<31, Bins<380, 730>>(), seen::<3, RgbBands<Srgb>>());
+    assert!(spectral.0 == rgb.0 && (spectral.1 - 100.0).abs() < 0.01 && (rgb.1 - 100.0).abs() < 0.01);
 }

@@ -135,7 +135,7 @@ fn nan_in_is_nan_out_by_every_way() {
     broken.values_mut()[7] = f32::NAN;
     let gray = Reflectance::<31>::flat(0.5);
     let dye = Dye::new(&gray, &gray, &Light::flat(1.0), 0.5).expect("possible");
-    let matrix: Donaldson<31, 496> = Donaldson::of_dye(&dye);
+    let matrix: Donaldson<31, 496> = Donaldson::from_dye(&dye);
     let mut phosphor = Phosphor::new(dye, 1.0);
     let lake = Mirror::dielectric(&[1.33; 31], 0.5, 0.1);
     let nan = |xyz: [f32; 3]| assert!(xyz.iter().all(|v| v.is_nan()), "{xyz:?}");
@@ -239,7 +239,7 @@ proptest! {
         gray.values_mut().copy_from_slice(&factors);
         let half = Reflectance::flat(0.4);
         let dye = Dye::new(&half, &half, &Light::flat(1.0), 0.5).expect("possible");
-        let matrix: Donaldson<31, 496> = Donaldson::of_dye(&dye);
+        let matrix: Donaldson<31, 496> = Donaldson::from_dye(&dye);
         let mut phosphor = Phosphor::new(dye, lifetime);
         phosphor.step(&sun, time);
         let mut eta = [0.0; 31];

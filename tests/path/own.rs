@@ -1,6 +1,7 @@
 //! An effect of a user's own: one function puts it into a path; what is linear folds, and agrees with the way forward.
 
-use nanospectra::matter::{Donaldson, Dye, Effect, Foldable};
+use nanospectra::color::{RgbBands, Srgb};
+use nanospectra::matter::{Donaldson, Dye, Effect, Foldable, Mirror, Phosphor};
 use nanospectra::observer::CIE_1931;
 use nanospectra::path::{Effects, Own, Scene};
 use nanospectra::{Bins, Curve, Light, Observer, Power, Reflectance};
@@ -46,15 +47,25 @@ fn dye<const N: usize>(blue: f32) -> Dye<N> {
 fn an_effect_of_ones_own_needs_one_function() {
     let (sun, gray) = (Light::<31>::flat(1.0), Reflectance::flat(0.5));
     let ink = Quenched { dye: dye(480.0) };
-    let lit = sun.through(&gray).onto(Own::new(&ink)).through(&gray);
+    let part = Own::new(&ink);
+    let lit = sun.through(&gray).onto(part).through(&gray);
     assert_eq!(lit.collected(), ink.leaving(&(sun * gray)) * gray);
     assert_eq!(EYE.sees(lit), EYE.sees(&lit.collected()));
     // Polarized light falls on it as its intensity, and plain light goes through it.
-    assert_eq!(sun.polarized().onto(Own::new(&ink)).collected(), ink.leaving(&sun));
-    assert_eq!(sun.through(Own::new(&ink)).collected(), ink.leaving(&sun));
+    assert_eq!(sun.polarized().onto(part).collected(), ink.leaving(&sun));
+    assert_eq!(sun.through(part).collected(), ink.leaving(&sun));
     // Twice the light gives less than twice the glow.
     let [once, twice] = [1.0, 2.0].map(|k| ink.leaving(&(sun * k)).values()[12]);
     assert!(once > 0.1 && twice < 1.95 * once, "{once} {twice}");
+}
+
+/// A scene holds matter by reference, of users too, and threads share both.
+#[test]
+fn threads_share_scenes_and_matter() {
+    fn shared<T: Send + Sync>() {}
+    shared::<Scene<31, 4>>();
+    shared::<(Dye<31>, Donaldson<31, 496>, Phosphor<31>, Mirror<31>, Observer<3, 31>, Light<31>)>();
+    shared::<(Scene<3, 4, RgbBands<Srgb>>, Light<3, RgbBands<Srgb>>)>();
 }
 
 #[test]
@@ -104,7 +115,7 @@ proptest! {
     ) {
         let light = Light::<16, Bins<380, 730>>::from_bins(light);
         let mixed = Mixed { dyes: [dye(blue), dye(500.0)] };
-        let matrix: Donaldson<16, 136> = Donaldson::of_dye(&mixed.dyes[0]);
+        let matrix: Donaldson<16, 136> = Donaldson::from_dye(&mixed.dyes[0]);
         transposed(&mixed.dyes[0], &weights, &light)?;
         transposed(&matrix, &weights, &light)?;
         transposed(&mixed, &weights, &light)?;

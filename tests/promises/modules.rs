@@ -1,4 +1,6 @@
-//! Modules of the library depend downwards only, in the order of the story that `src/lib.rs` tells.
+//! Modules of the library depend downwards only. (The story of `src/lib.rs` goes along the light; what the code of a
+//! station needs decides what lies lower: an observer before the lights that are judged by it, colors before the matter
+//! whose Fresnel terms and budgets are told in them.)
 
 use crate::claims::sections::{Texts, texts};
 use std::collections::BTreeSet;
@@ -26,14 +28,27 @@ fn used(text: &str) -> BTreeSet<String> {
         .take_while(|line| line.trim() != "#[cfg(test)]")
         .map(|line| line.split("//").next().unwrap_or_default().to_owned() + "\n")
         .collect();
-    let mut names = BTreeSet::new();
-    for rest in code.split("crate::").skip(1) {
-        let group = rest.strip_prefix('{').and_then(|group| group.split_once('}')).map(|(group, _)| group);
-        for path in group.unwrap_or(rest).split(if group.is_some() { ',' } else { '\0' }) {
-            let name: String = path.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-            if !name.is_empty() {
-                names.insert(name);
+    code.split("crate::").skip(1).flat_map(first_names).collect()
+}
+
+/// The name that a path begins with, or each path of a group: `grid` and `color` of `{grid::{Bands, Grid},
+/// color::Xyz}`.
+fn first_names(rest: &str) -> BTreeSet<String> {
+    let (mut names, mut depth, mut begins) = (BTreeSet::new(), 0, true);
+    for (at, c) in rest.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' => begins = depth == 1,
+            c if begins && depth < 2 && (c.is_alphanumeric() || "_*".contains(c)) => {
+                let end = rest[at..].find(|c: char| !c.is_alphanumeric() && c != '_');
+                names.insert(rest[at..][..end.unwrap_or(rest.len() - at)].to_owned());
+                begins = false;
             }
+            _ => {}
+        }
+        if depth == 0 {
+            break;
         }
     }
     names
@@ -74,6 +89,10 @@ fn an_arrow_back_is_found() {
         "let x = crate::path::price();",
         "use crate::{grid::Grid, sensor::Meter};",
         "use crate::{\n    grid::Grid,\n    color::Xyz,\n};",
+        "use crate::{grid::{Bands, Grid}, math::{Math}, sensor::{Meter, Fit}};",
+        "pub use crate::{\n    math::{\n        Math, sqrt,\n    },\n    color::*,\n};",
+        "macro_rules! m { () => { $crate::sensor::Meter }; }",
+        "pub(in crate::sensor) use crate::grid::Grid;",
     ] {
         assert_eq!(
             arrows_back(&Texts::from([("src/spectrum/series.rs".into(), code.into())])).len(),

@@ -12,7 +12,9 @@ impl Package {
     /// A package with this manifest, emptied of what an earlier run left.
     pub fn new(name: &str, manifest: &str) -> Package {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let _ = std::fs::remove_dir_all(folder.join("src"));
+        for of_the_last_run in ["src", "tables"] {
+            let _ = std::fs::remove_dir_all(folder.join(of_the_last_run));
+        }
         let package = Package { folder };
         package.write("Cargo.toml", manifest);
         package

@@ -337,7 +337,7 @@ const REFUSED: [(&str, &str, &[&str]); 41] = [
     (
         "packs_a_matrix_wrongly",
         "use nanospectra::{Reflectance, matter::Donaldson};
-        fn main() { println!(\"{:?}\", Donaldson::<31, 495>::of_reflectance(&Reflectance::flat(0.5))); }",
+        fn main() { println!(\"{:?}\", Donaldson::<31, 495>::from_reflectance(&Reflectance::flat(0.5))); }",
         &["a Donaldson matrix of N bins has N * (N + 1) / 2 pairs"],
     ),
 ];

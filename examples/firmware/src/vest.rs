@@ -2,7 +2,7 @@
 
 use nanospectra::light::FL11;
 use nanospectra::matter::Dye;
-use nanospectra::{Interpolation, Light, Reflectance};
+use nanospectra::{Interpolation, Light, Reflectance, const_unwrap};
 
 /// FL11 at the centers of 31 bands.
 pub static LAMP: Light<31> = FL11.interpolate(Interpolation::Linear);
@@ -24,8 +24,5 @@ pub static VEST: Dye<31> = {
         k += 1;
     }
     let (reflects, absorbs) = (Reflectance::from_bins(reflects), Reflectance::from_bins(absorbs));
-    match Dye::new(&reflects, &absorbs, &Light::from_bins(emits), 0.9) {
-        Ok(vest) => vest,
-        Err(_) => panic!("no dye"),
-    }
+    const_unwrap!(Dye::new(&reflects, &absorbs, &Light::from_bins(emits), 0.9))
 };

@@ -35,8 +35,8 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         Donaldson { columns: [0.0; P], grid: PhantomData }
     };
 
-    /// From a measured matrix: `matrix[k][i]` is the share of the light of bin `i` that leaves in bin `k`, as power
-    /// per nm in and out.
+    /// Fluorescent matter from a measured matrix: `matrix[k][i]` is the share of the light of bin `i` that leaves in
+    /// bin `k`, as power per nm in and out.
     ///
     /// # Errors
     /// Values that are negative or not finite; any below the diagonal's wavelength (`k < i`) other than zero; light
@@ -90,9 +90,9 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         Ok(packed)
     }
 
-    /// A surface that does not fluoresce.
+    /// The matrix of a surface that does not fluoresce: its reflectance on the diagonal.
     #[must_use]
-    pub const fn of_reflectance(reflectance: &Spectrum<Factor, N, G>) -> Self {
+    pub const fn from_reflectance(reflectance: &Spectrum<Factor, N, G>) -> Self {
         let mut packed = Self::NONE;
         let mut start = 0;
         const_for!(0..N, |i| {
@@ -102,10 +102,10 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         packed
     }
 
-    /// A dye, less what it emits at shorter waves than it absorbs.
+    /// The matrix of a dye, without what it emits at shorter waves than it absorbs.
     #[must_use]
-    pub const fn of_dye(dye: &Dye<N, G>) -> Self {
-        let mut packed = Self::of_reflectance(&dye.reflectance());
+    pub const fn from_dye(dye: &Dye<N, G>) -> Self {
+        let mut packed = Self::from_reflectance(&dye.reflectance());
         let mut next = 0;
         const_for!(0..N, |i| {
             const_for!(i..N, |k| {

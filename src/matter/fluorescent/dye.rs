@@ -11,8 +11,8 @@ use crate::sum::rows;
 use core::array::from_ref;
 use core::marker::PhantomData;
 
-/// One dye: a surface (or a filter) that reflects as any other, and besides glows in its own color, however it was
-/// excited (Kasha's and Vavilov's rules).
+/// A fluorescent dye: a surface (or a filter) that reflects as any other, and besides glows in its own color, however
+/// it was excited (Kasha's and Vavilov's rules).
 ///
 /// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`, emission at shorter
 /// waves than are absorbed included. These are two numbers more for each bin than a surface has; the full
@@ -56,7 +56,7 @@ pub struct Dye<const N: usize, G = Bins<380, 730>> {
 
 by_fields!([const N: usize, G] Dye<N, G>, "Dye": reflects, absorbs, emits);
 
-/// Why numbers describe no fluorescent matter.
+/// The reason why numbers do not describe fluorescent matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -89,17 +89,30 @@ pub enum FluorescenceError {
     },
 }
 
+impl FluorescenceError {
+    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    #[must_use]
+    pub const fn message(&self) -> &'static str {
+        match self {
+            Self::OutOfRange { .. } => "a value is negative or not finite",
+            Self::AntiStokes { .. } => "light leaves at shorter waves than it came with",
+            Self::QuantumYield => "the quantum yield is not in 0..=1",
+            Self::NoEmission => "the emission is zero everywhere",
+            Self::Energy { .. } => "light leaves with more energy than it came with",
+            Self::Photons { .. } => "light leaves as more photons than it came as",
+        }
+    }
+}
+
 impl core::fmt::Display for FluorescenceError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.message())?;
         match self {
-            Self::OutOfRange { bin } => write!(f, "bin {bin} has a value that is negative or not finite"),
-            Self::AntiStokes { from, to } => {
-                write!(f, "light of bin {from} leaves at the shorter waves of bin {to}")
+            Self::OutOfRange { bin } | Self::Energy { bin } | Self::Photons { bin } => {
+                write!(f, " (bin {bin})")
             }
-            Self::QuantumYield => f.write_str("the quantum yield is not in 0..=1"),
-            Self::NoEmission => f.write_str("the emission is zero everywhere"),
-            Self::Energy { bin } => write!(f, "light of bin {bin} leaves with more energy than it came with"),
-            Self::Photons { bin } => write!(f, "light of bin {bin} leaves as more photons than it came as"),
+            Self::AntiStokes { from, to } => write!(f, " (from bin {from} to bin {to})"),
+            Self::QuantumYield | Self::NoEmission => Ok(()),
         }
     }
 }
@@ -110,7 +123,7 @@ impl core::error::Error for FluorescenceError {}
 pub(super) const ROUNDING: f64 = 1e-6;
 
 impl<const N: usize, G: Bands> Dye<N, G> {
-    /// From what can be measured: the reflectance without the glow, the absorbed share of the light of each bin
+    /// A dye from what can be measured: the reflectance without the glow, the absorbed share of the light of each bin
     /// (0..=1), the emission (power per nm, in any unit), and the quantum yield (photons emitted for each absorbed,
     /// 0..=1).
     ///

@@ -41,9 +41,9 @@ impl<const N: usize, G> Mirror<N, G> {
         &self.0
     }
 
-    /// Glass, water, varnish: `eta` is the index of refraction of each bin, relative to the medium the light comes
-    /// from; `cos_incidence` 0..=1 is the cosine of the angle of incidence, `s_axis_turns` the direction across the
-    /// plane of incidence, in turns from the reference direction of the light.
+    /// A mirror of glass, water or varnish: `eta` is the index of refraction of each bin, relative to the medium the
+    /// light comes from; `cos_incidence` 0..=1 is the cosine of the angle of incidence, `s_axis_turns` the direction
+    /// across the plane of incidence, in turns from the reference direction of the light.
     ///
     /// Total reflection (`eta` below 1) has its phase. An `eta` of 1 is no surface, at any angle; light from behind
     /// (`cos_incidence` below 0) is not reflected. A cosine above 1 counts as 1, an `eta` above 1e15 as that.
@@ -54,8 +54,8 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// A metal: `eta` and `k` are the parts of its index in each bin, relative to the medium the light comes from; angles
-    /// as for [`dielectric`](Self::dielectric).
+    /// A mirror of metal: `eta` and `k` are the parts of its index in each bin, relative to the medium the light comes
+    /// from; angles as for [`dielectric`](Self::dielectric).
     ///
     /// ```
     /// # use nanospectra::{Light, Spectrum, matter::Mirror};
@@ -88,9 +88,10 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// A stack of films or a measured mirror, from reflectances across the plane of incidence (s) and in it (p), 0..=1
-    /// (below: 0), and the cosine and sine of the phase of s against p, whose squares add up to 1. That phase is 0 at
-    /// right angles (where many textbooks have half a turn); the s axis as for [`dielectric`](Self::dielectric).
+    /// A mirror of known reflectances (a stack of films, a measured mirror), from those across the plane of incidence
+    /// (s) and in it (p), 0..=1 (below: 0), and the cosine and sine of the phase of s against p, whose squares add up
+    /// to 1. That phase is 0 at right angles (where many textbooks have half a turn); the s axis as for
+    /// [`dielectric`](Self::dielectric).
     #[must_use]
     pub const fn new(
         s: &Spectrum<Factor, N, G>,

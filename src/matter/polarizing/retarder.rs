@@ -18,8 +18,8 @@ impl<const N: usize, G> Retarder<N, G> {
         &self.0
     }
 
-    /// The same retardance in every bin, in turns (a quarter for a quarter-wave plate); the fast axis in turns from
-    /// the reference direction.
+    /// A plate of the same retardance in every bin, in turns (a quarter for a quarter-wave plate); the fast axis in
+    /// turns from the reference direction.
     #[must_use]
     pub const fn flat(retardance_turns: f32, axis_turns: f32) -> Self {
         let (c, s) = (cos_turns(retardance_turns), sin_turns(retardance_turns));

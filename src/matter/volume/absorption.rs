@@ -30,7 +30,7 @@ pub struct Absorber<const N: usize, G = Bins<380, 730>> {
     grid: core::marker::PhantomData<G>,
 }
 
-/// Why numbers are not an absorber.
+/// The reason why numbers do not describe an absorber.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -61,7 +61,8 @@ pub struct Burley<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Burley<N, G> {
-    /// From the albedo, 0..=1, and the distance d >= 0 of each bin.
+    /// A profile from the albedo, 0..=1, and the distance d >= 0 of each bin, in m.
+    #[must_use]
     pub const fn new(albedo: Reflectance<N, G>, distance: [f32; N]) -> Self {
         Burley { albedo, distance }
     }

@@ -29,25 +29,25 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
 }
 
 impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
-    /// Behind a polarizer.
+    /// This observer behind a polarizer.
     #[must_use]
     pub const fn through_polarizer(&self, polarizer: &Polarizer<N, G>) -> Self {
         self.behind(polarizer.mueller())
     }
 
-    /// Behind a retarder. Alone it changes no reading; between polarizers or mirrors it does.
+    /// This observer behind a retarder, which alone changes no reading, but does between polarizers or mirrors.
     #[must_use]
     pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> Self {
         self.behind(retarder.mueller())
     }
 
-    /// Looking into a mirror.
+    /// This observer looking into a mirror.
     #[must_use]
     pub const fn looking_at_mirror(&self, mirror: &Mirror<N, G>) -> Self {
         self.behind(mirror.mueller())
     }
 
-    /// Behind colored glass, which dims I, Q, U and V alike.
+    /// This observer behind colored glass, which dims I, Q, U and V alike.
     #[must_use]
     pub const fn through(&self, filter: &Spectrum<Factor, N, G>) -> Self {
         let mut weights = self.0;
@@ -55,7 +55,8 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
         PolarizedObserver(weights, PhantomData)
     }
 
-    /// Looking at what sends or scatters unpolarized light (a lamp, a matt surface): an [`Observer`] again.
+    /// This observer looking at what sends or scatters unpolarized light, a lamp or a matt surface: an [`Observer`]
+    /// again.
     #[must_use]
     pub const fn unpolarized_light(&self) -> Observer<C, N, Q, G> {
         let mut weights = [[0.0; N]; C];

@@ -4,11 +4,11 @@ use crate::matter::Mueller;
 use crate::path::scene::{Part, Scene};
 use crate::path::{Effects, Price, Priced};
 
-/// A line of the bill: one part.
+/// One line of a [bill](Scene::bill): what one part of the scene costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BillLine {
-    /// Which part, counted from 0.
+    /// The number of the part, counted from 0.
     pub part: usize,
     /// What it is: `"filter"`, `"dye"`, ..
     pub name: &'static str,

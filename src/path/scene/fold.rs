@@ -5,7 +5,8 @@ use crate::path::PolarizedObserver;
 use crate::path::scene::{Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// A part of the scene polarizes light, which one number for each bin does not describe.
+/// The reason why a scene needs Stokes vectors: a part polarizes light, which one number for each bin does not
+/// describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolarizationError {

@@ -40,7 +40,7 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// What it takes to work it out once for light that is not followed as Stokes vectors.
+    /// The price of working it out once, for light that is not followed as Stokes vectors.
     #[must_use]
     pub fn price(&self) -> Price {
         match self {
@@ -50,8 +50,8 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// What remains of it without its effect: the reflectance of a dye without the glow, the diagonal of a matrix, the
-    /// share of unpolarized light that a mirror passes on.
+    /// The factors that remain of it if its effect is left out: the reflectance of a dye without the glow, the diagonal
+    /// of a matrix, the share of unpolarized light that a mirror passes on.
     #[must_use]
     pub fn without_effect(&self) -> Spectrum<Factor, N, G> {
         match self {

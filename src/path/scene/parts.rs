@@ -51,7 +51,7 @@ pub(super) struct Step<'a, const N: usize, G> {
     pub(super) left_out: bool,
 }
 
-/// A scene has no room for another part.
+/// The reason why a part could not be pushed: the scene is full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneFullError {
@@ -68,7 +68,7 @@ impl core::fmt::Display for SceneFullError {
 impl core::error::Error for SceneFullError {}
 
 impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
-    /// Nothing between the lamp and the eye.
+    /// An empty scene: nothing stands between the lamp and the eye.
     #[must_use]
     pub const fn new() -> Self {
         Scene { steps: [const { None }; CAP] }
@@ -105,7 +105,7 @@ impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
         self.steps().enumerate().filter(|(_, step)| step.left_out).map(|(k, _)| k)
     }
 
-    /// The effects that it calls for, less those that are left out.
+    /// The effects of all parts, without those that are left out.
     #[must_use]
     pub fn effects(&self) -> Effects {
         self.steps().fold(Effects::NONE, |effects, step| effects.and(step.price().effects))

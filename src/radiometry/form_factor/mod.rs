@@ -22,7 +22,7 @@ pub use rectangle::{parallel_rectangles_with, perpendicular_rectangles_with};
 pub use sphere::to_sphere;
 pub use sphere::to_sphere_with;
 
-use crate::radiometry::relations::ratio;
+use crate::radiometry::carried::ratio;
 
 /// The factor back, F21, from F12 and the two areas: A1 F12 = A2 F21.
 ///

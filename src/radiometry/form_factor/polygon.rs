@@ -4,8 +4,9 @@ use crate::geometry::vec3::{cross, difference, dot, length, scaled, sum, to_unit
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::radiometry::carried::ratio;
 use crate::radiometry::form_factor::quadrature;
-use crate::radiometry::relations::{in_front, ratio};
+use crate::radiometry::relations::in_front;
 use core::f32::consts::FRAC_1_PI;
 
 /// From a point with a normal (of any length but 0) to the flat polygon of these vertices.

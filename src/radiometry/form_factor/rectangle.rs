@@ -5,8 +5,8 @@ use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::sqrt;
+use crate::radiometry::carried::ratio;
 use crate::radiometry::form_factor::quadrature::unit_interval;
-use crate::radiometry::relations::ratio;
 use core::f32::consts::FRAC_1_PI;
 
 /// From one rectangle to an equal one right opposite.

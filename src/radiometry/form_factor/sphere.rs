@@ -4,7 +4,8 @@ use crate::geometry::vec3::to_unity;
 use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
-use crate::radiometry::relations::{in_front, ratio};
+use crate::radiometry::carried::ratio;
+use crate::radiometry::relations::in_front;
 use core::f32::consts::FRAC_1_PI;
 
 /// From a point to a sphere whose center is at `distance_m`, in a direction of cosine `cos_theta` from the point's

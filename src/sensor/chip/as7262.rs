@@ -4,8 +4,8 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting, of_width};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// From the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255 (0 counts as 1): the rule
-/// of the AS7261, AS7263 and AS7265x too.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255
+/// (0 counts as 1): the rule of the AS7261, AS7263 and AS7265x too.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7262;
@@ -34,7 +34,7 @@ ladder! {
 pub static NOMINAL: FineObserver<6> =
     gaussian_responsivities(of_width(40.0, [450.0, 500.0, 550.0, 570.0, 600.0, 650.0]));
 
-/// The same as data.
+/// All facts of this module as data.
 pub static CHIP: Chip = Chip {
     name: "AS7262",
     summary: "six bands at 450, 500, 550, 570, 600 and 650 nm",

@@ -23,7 +23,7 @@ pub static NOMINAL: Observer<18, 701, Power, Nodes<300, 1000>> = gaussian_respon
     ],
 ));
 
-/// The same as data; what is set is as on the AS7262.
+/// All facts of this module as data; what is set is as on the AS7262.
 pub static CHIP: Chip = Chip {
     name: "AS7265x",
     summary: "18 bands of 20 nm, called by their peaks",

@@ -7,8 +7,8 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// From the gain (one of [`GAINS`]) and the registers ATIME and ASTEP (at most 65 534). The time is
-/// (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below 65 535.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the registers ATIME and ASTEP (at most 65 534). The
+/// time is (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below 65 535.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7341;
@@ -49,7 +49,7 @@ pub static NOMINAL: FineObserver<8> = gaussian_responsivities([
     (680.0, 52.0),
 ]);
 
-/// The same as data.
+/// All facts of this module as data.
 pub static CHIP: Chip = Chip {
     name: "AS7341",
     summary: "eight bands from 415 to 680 nm",

@@ -37,7 +37,7 @@ pub static NOMINAL: FineObserver<11> = gaussian_responsivities([
     (745.0, 77.0),
 ]);
 
-/// The same as data; registers and counts are as on the AS7341.
+/// All facts of this module as data; registers and counts are as on the AS7341.
 pub static CHIP: Chip = Chip {
     name: "AS7343",
     summary: "eleven bands from 405 to 745 nm; the TCS3448 is alike",

@@ -43,7 +43,7 @@ pub static TO_XYZ: Calibration<3> = Calibration::from_rows([
 /// Illuminance in lux from the same codes; same source.
 pub static TO_LUX: Calibration<3, 1> = Calibration::from_rows([[0.0, 2.15e-3, 0.0]]);
 
-/// The same as data.
+/// All facts of this module as data.
 pub static CHIP: Chip = Chip {
     name: "OPT4048",
     summary: "near X, Y and Z; codes: mantissa shifted left by the exponent",

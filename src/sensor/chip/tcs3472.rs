@@ -6,9 +6,9 @@
 use crate::sensor::Exposure;
 use crate::sensor::chip::{Chip, Setting};
 
-/// From the gain (one of [`GAINS`]) and the register ATIME. Each of 256 - ATIME cycles lasts 2.4 ms and fills 1024
-/// counts. Shorter than 150 ms a light on mains may saturate the cell in its crests while the average does not show it
-/// (ripple): only 75 % of the full scale are trusted there.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the register ATIME. Each of 256 - ATIME cycles lasts
+/// 2.4 ms and fills 1024 counts. Shorter than 150 ms a light on mains may saturate the cell in its crests while the
+/// average does not show it (ripple): only 75 % of the full scale are trusted there.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::tcs3472;
@@ -38,7 +38,7 @@ ladder! {
     (1.0, 255), (1.0, 250), (1.0, 235), (4.0, 235), (16.0, 235), (60.0, 235), (60.0, 172), (60.0, 0),
 }
 
-/// The same as data.
+/// All facts of this module as data.
 pub static CHIP: Chip = Chip {
     name: "TCS3472",
     summary: "red, green, blue and clear",

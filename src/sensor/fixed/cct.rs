@@ -4,8 +4,6 @@
 //! divides the locus; what is missing is a parabola that depends on the distance. So one division and a dozen
 //! products replace the Newton step of the floats, at 0.1 mired.
 
-use crate::sensor::fixed::xyz::quotient;
-
 include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
 
 /// Segments of the table.
@@ -145,4 +143,21 @@ fn share(part: i32, whole: i32) -> i32 {
     let digits =
         if size < whole { quotient(size, whole, 15) } else { 32_768 + quotient(size - whole, whole, 15) };
     if part < 0 { -digits } else { digits }
+}
+
+/// numerator / denominator in units of 2^-digits, rounded, for numerator < denominator < 2^31: one binary digit at a
+/// time, since a Cortex-M0 has no division. (The compiler's own is as quick and takes 400 bytes.)
+#[inline(never)]
+pub(super) fn quotient(numerator: u32, denominator: u32, digits: u32) -> i32 {
+    let (mut rest, mut found, mut left) = (numerator, 0, digits + 1);
+    while left > 0 {
+        rest <<= 1;
+        found <<= 1;
+        if rest >= denominator {
+            rest -= denominator;
+            found += 1;
+        }
+        left -= 1;
+    }
+    (found + 1) >> 1
 }

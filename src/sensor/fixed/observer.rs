@@ -1,6 +1,6 @@
 //! Spectra of 16-bit samples to XYZ, or to any channels, in integers.
 
-use crate::grid::Grid;
+use crate::grid::{Bands, Bins};
 use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::Quantity;
@@ -30,7 +30,7 @@ use core::marker::PhantomData;
 /// # Cost
 /// 81 bands to XYZ take 1260 instructions on a Cortex-M0, where floats take 54 000; `2 C N` bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FixedObserver<const C: usize, const N: usize, G = crate::grid::Bins<380, 730>> {
+pub struct FixedObserver<const C: usize, const N: usize, G = Bins<380, 730>> {
     /// Of each sum the weight of each band, plus `offset`.
     rows: [[u16; N]; C],
     offset: u32,
@@ -40,7 +40,7 @@ pub struct FixedObserver<const C: usize, const N: usize, G = crate::grid::Bins<3
     grid: PhantomData<G>,
 }
 
-impl<const C: usize, const N: usize, G: Grid> FixedObserver<C, N, G> {
+impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
     /// `observer` in integers; `None` if its weights are all zero, one is no number, or there are more than
     /// 4096 bands. For `const` use: it computes in f64.
     #[must_use]

@@ -2,6 +2,7 @@
 
 use crate::color::Xyz;
 use crate::sensor::fixed::FixedCct;
+use crate::sensor::fixed::cct::quotient;
 
 /// X, Y and Z as integers in a common unit, a power of two of the calibration's: below 2^31 in size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,21 +116,4 @@ impl FixedXyz {
             None => FixedCct::OffLocus,
         })
     }
-}
-
-/// numerator / denominator in units of 2^-digits, rounded, for numerator < denominator < 2^31: one binary digit at a
-/// time, since a Cortex-M0 has no division. (The compiler's own is as quick and takes 400 bytes.)
-#[inline(never)]
-pub(super) fn quotient(numerator: u32, denominator: u32, digits: u32) -> i32 {
-    let (mut rest, mut found, mut left) = (numerator, 0, digits + 1);
-    while left > 0 {
-        rest <<= 1;
-        found <<= 1;
-        if rest >= denominator {
-            rest -= denominator;
-            found += 1;
-        }
-        left -= 1;
-    }
-    (found + 1) >> 1
 }

@@ -32,7 +32,7 @@ fn fluorescence(hash: &mut Hash) {
         hash.all(&EYE.sees(light.onto(&paper).onto(&dye).through(&paper)));
         let folded = EYE.through(&paper).looking_at_dye(&dye).looking_at(&paper);
         folded.weights().iter().for_each(|row| hash.all(row));
-        let matrix: Donaldson<16, 136> = Donaldson::of_dye(&dye);
+        let matrix: Donaldson<16, 136> = Donaldson::from_dye(&dye);
         hash.all(light.onto(&matrix).collected().values());
         EYE.looking_at_donaldson(&matrix).weights().iter().for_each(|row| hash.all(row));
         let coarse: Dye<9> = dye.resample();

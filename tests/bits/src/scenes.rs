@@ -24,7 +24,7 @@ fn scenes(hash: &mut Hash) {
             hash.word(0);
             continue;
         };
-        let matrix: Donaldson<16, 136> = Donaldson::of_dye(&dye);
+        let matrix: Donaldson<16, 136> = Donaldson::from_dye(&dye);
         let lake = Mirror::dielectric(&[1.0 + random.unit(); 16], random.unit(), random.unit());
         let (sheet, plate) = (Polarizer::ideal(random.unit()), Retarder::flat(random.unit(), random.unit()));
         let mut scene: Scene<16, 6> = Scene::new();

@@ -41,7 +41,7 @@ fn main() -> ! {
 fn paths() {
     let sun = Light::<31>::flat(black_box(1.0));
     let (gray, dye) = (Reflectance::flat(black_box(0.4)), black_box(&VEST));
-    let matrix: Donaldson<31, 496> = Donaldson::of_dye(dye);
+    let matrix: Donaldson<31, 496> = Donaldson::from_dye(dye);
     let mut phosphor = Phosphor::new(*dye, black_box(1.0));
     phosphor.step(sun.through(&gray), black_box(0.1));
     black_box(EYE.sees(sun.through(&gray).onto(dye).onto(&matrix).onto(&phosphor)));
@@ -60,7 +60,7 @@ fn paths() {
 /// A path chosen at run time: walked, folded, judged.
 fn scenes() {
     let (sun, gray) = (Light::<31>::flat(black_box(1.0)), Reflectance::flat(black_box(0.4)));
-    let (matrix, sheet) = (Donaldson::<31, 496>::of_dye(&VEST), Polarizer::ideal(black_box(0.2)));
+    let (matrix, sheet) = (Donaldson::<31, 496>::from_dye(&VEST), Polarizer::ideal(black_box(0.2)));
     let (lake, plate) = (Mirror::dielectric(&[1.33; 31], 0.5, 0.1), Retarder::flat(black_box(0.2), 0.1));
     let mut scene: Scene<31, 8> = Scene::new();
     let parts = [

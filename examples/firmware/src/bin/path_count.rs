@@ -30,7 +30,7 @@ fn main() -> ! {
         glass: Reflectance::flat(0.8),
         paper: Reflectance::flat(0.5),
         vest: &VEST,
-        matrix: Donaldson::of_reflectance(&Reflectance::flat(0.5)),
+        matrix: Donaldson::from_reflectance(&Reflectance::flat(0.5)),
         lake: Mirror::dielectric(&[1.33; 31], 0.6, 0.0),
     };
     count(&clock, "path-surface", |parts, xyz| *xyz = EYE.sees(parts.sun.onto(&parts.paper)), &parts);

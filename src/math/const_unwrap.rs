@@ -2,7 +2,7 @@
 
 /// The value of a `Result` in a `static` or `const`; an error ends the build with its message.
 ///
-/// It takes every error of [`sensor`](crate::sensor) with a `message`, as
+/// It takes every error with a `message`: those of all constructors that are `const fn`, as
 /// [`FitError::message`](crate::sensor::FitError::message).
 ///
 /// ```
