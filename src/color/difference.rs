@@ -138,7 +138,7 @@ fn cmc_hue_weight(a: f32, b: f32, c: f32) -> f32 {
     if c == 0.0 {
         return 0.0; // a gray has no hue, and no weight for it
     }
-    // The sector is 181 degrees wide, so it is the union of two half planes: anticlockwise
+    // The sector is 181 degrees wide, so it is the union of two half planes: counterclockwise
     // of 164, or clockwise of 345.
     let after = COS_164 * b - SIN_164 * a >= 0.0;
     let before = COS_345 * b - SIN_345 * a <= 0.0;

@@ -18,7 +18,7 @@ pub struct Tm30 {
     pub rg: f32,
     /// Fidelity of each sample.
     pub rf_ces: [f32; 99],
-    /// The 16 hue bins, counter-clockwise from a' > 0; `None` for one that holds no sample.
+    /// The 16 hue bins, counterclockwise from a' > 0; `None` for one that holds no sample.
     pub bins: [Option<HueBin>; 16],
     /// Correlated color temperature, K.
     pub cct_k: f32,
@@ -72,7 +72,7 @@ pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
         let difference = a.distance(b);
         *rf = fidelity(difference);
         total += difference;
-        // Counter-clockwise from a' > 0, in sixteenths of the circle.
+        // Counterclockwise from a' > 0, in sixteenths of the circle.
         let turns = Portable::atan2(b.b, b.a) / core::f32::consts::TAU;
         let sector = if turns < 0.0 { turns + 1.0 } else { turns } * 16.0;
         if let Some(bin) = bins.get_mut((sector as usize).min(15)) {

@@ -52,7 +52,7 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
 /// Light on its way as Stokes vectors (I, Q, U, V) in the unit of the light, by way of the stages in `P`. Nothing is
 /// worked out before it is read.
 ///
-/// Directions across the beam are angles from a reference direction that the user chooses, counter-clockwise for who
+/// Directions across the beam are angles from a reference direction that the user chooses, counterclockwise for who
 /// looks at the source. The path is *unfolded*: what follows a mirror is named as it is seen in that mirror. Q > 0
 /// along the reference, U > 0 at 45 degrees. So a mirror met at right angles only dims all four.
 ///

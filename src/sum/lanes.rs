@@ -1,7 +1,7 @@
-//! For what the compiler vectorises: an array of eight lanes becomes two 128-bit registers, or
+//! For what the compiler vectorizes: an array of eight lanes becomes two 128-bit registers, or
 //! one of 256 bits.
 //!
-//! LLVM's vectoriser is easily led astray here, by up to a factor of five. What these functions rely on was
+//! LLVM's vectorizer is easily led astray here, by up to a factor of five. What these functions rely on was
 //! found by timing (three rows over N = 8..701, x86-64): the final reduction out of line, the
 //! rest after whole eights filled up with zeros, rows zipped inside the loop over the spectrum.
 

@@ -101,7 +101,7 @@ fn rgb_space<S: RgbSpace>(name: &str, [matrix, values, back]: &mut [Check; 3]) {
     for (row, expected) in S::FROM_XYZ.iter().zip(space.xyz_to_rgb()) {
         matrix.add_all(name, *row, expected);
     }
-    for row in golden("12_colourspaces").rows() {
+    for row in golden("12_color_spaces").rows() {
         let color = Xyz::from(narrow(row.numbers(["X", "Y", "Z"]).map(|v| 100.0 * v)));
         let rgb = Rgb::<S>::from_xyz(color);
         let columns = ["R", "G", "B"].map(|c| format!("{name}:{c}"));

@@ -101,7 +101,7 @@ fn lab_luv_and_oklab_of_any_color_agree() {
     .map(check);
     let exact_white = model::chromaticity::xyz_from_xy([0.3127, 0.3290], 100.0);
     assert_eq!(D65.to_array(), narrow(exact_white));
-    for row in golden("12_colourspaces").rows() {
+    for row in golden("12_color_spaces").rows() {
         let color = Xyz::from(narrow(row.numbers(["X", "Y", "Z"]).map(|v| 100.0 * v)));
         let lab = lab_array(color.lab(D65).expect("a white"));
         let luv = luv_array(color.luv(D65).expect("a white"));
@@ -136,7 +136,7 @@ fn polar_lab_agrees() {
     use nanospectra::color::Lch;
     let (mut chroma, mut hue) = (check("chroma of Lab, golden 12"), check("hue of Lab, degrees, golden 12"));
     let (mut lengths, mut back) = (check("chroma of Lab, model"), check("Lab by way of Lch, per chroma"));
-    for row in golden("12_colourspaces").rows() {
+    for row in golden("12_color_spaces").rows() {
         let [l, a, b] = narrow(row.numbers(["L", "a", "b"]));
         let Lch { l: l2, c, h_deg } = Lab::new(l, a, b).lch();
         assert_eq!(l, l2);

@@ -72,7 +72,7 @@ fn xyz(reflectance: &Fine<Factor>) -> [f32; 3] {
 fn the_colors_of_films_agree_with_the_golden() {
     let mut check = check("colors of films, golden 10");
     let mut rows = 0;
-    for row in golden("10_thin_film_colour").rows() {
+    for row in golden("10_thin_film_color").rows() {
         let [d, degrees] = row.numbers(["d_nm", "theta_deg"]);
         let (indices, substrate) = match row.text("stack") {
             "soap" => ([1.0, 1.33, 1.0], None),

@@ -37,6 +37,7 @@ fn one_line(message: &str) -> String {
         .filter(|line| !line.is_empty())
         .collect::<Vec<_>>()
         .join(" ")
-        .replace(" tip:", "; tip:");
+        .replace(" tip:", "; tip:")
+        .replace("invalid float literal", "not a number");
     format!("{}; see --help", said.trim_start_matches("error: "))
 }

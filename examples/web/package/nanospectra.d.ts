@@ -43,7 +43,7 @@ export interface HueBin {
 export interface Fidelity {
   rf: number;
   rg: number;
-  /** Counter-clockwise from a' > 0; null for one that holds no sample. */
+  /** Counterclockwise from a' > 0; null for one that holds no sample. */
   bins: (HueBin | null)[];
   rf_ces: number[];
 }

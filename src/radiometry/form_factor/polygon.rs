@@ -11,7 +11,7 @@ use core::f32::consts::FRAC_1_PI;
 
 /// From a point with a normal (of any length but 0) to the flat polygon of these vertices.
 ///
-/// The polygon shines to the side from which its vertices run counter-clockwise; from behind the factor is 0.
+/// The polygon shines to the side from which its vertices run counterclockwise; from behind the factor is 0.
 /// What lies below the point's horizon, or in its plane, does not count. It need not be convex.
 ///
 /// # Accuracy

@@ -139,7 +139,7 @@ fn color_spaces_agree() {
     let white = xyz_from_xy(D65, 1.0);
     let (viewing_white, la) = (white.map(|v| 100.0 * v), 200.0 / std::f64::consts::PI);
     let viewing = Viewing { white: viewing_white, la, yb: 20.0, d: degree_of_adaptation(la) };
-    for row in golden("12_colourspaces").rows() {
+    for row in golden("12_color_spaces").rows() {
         let xyz = row.numbers(["X", "Y", "Z"]);
         check.cells(row, ["x", "y"], xy(xyz));
         check.cells(row, ["u60", "v60"], uv1960(xyz));

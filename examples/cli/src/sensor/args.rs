@@ -73,19 +73,19 @@ pub struct Args {
     pub unit: Option<Unit>,
 
     /// Shot noise: electrons for one count at unit gain
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub electrons_per_count: Option<f32>,
 
     /// Read noise: counts, rms, besides the rounding
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub read_counts: Option<f32>,
 
     /// A reading is too dark when its channels together are fewer counts above their dark levels
-    #[arg(long, value_name = "N", default_value_t = 10.0)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10.0)]
     pub floor: f32,
 
     /// Frequencies at which to look for flicker
-    #[arg(long, value_name = "HZ", value_delimiter = ',', default_values = ["100", "120"])]
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_delimiter = ',', default_values = ["100", "120"])]
     pub flicker_hz: Vec<f32>,
 
     /// Print JSON, one object a line: each reading, then each run of readings; numbers unrounded

@@ -78,7 +78,7 @@ fn standard_illuminants_have_their_values() {
     }
 }
 
-/// goldens/03_cri.csv, 03_tm30.csv (1 nm by Sprague) and 07_photometry_sources.csv.
+/// tests/data/03_cri.csv, 03_tm30.csv (1 nm by Sprague) and 07_photometry_sources.csv.
 #[test]
 fn rendering_and_the_melanopic_ratio_follow_the_goldens() {
     let expected = [
@@ -96,7 +96,7 @@ fn rendering_and_the_melanopic_ratio_follow_the_goldens() {
     }
 }
 
-/// goldens/01_xyz_sources.csv: D65 by the 10 degree observer; what is defined for 2 degrees stays.
+/// tests/data/01_xyz_sources.csv: D65 by the 10 degree observer; what is defined for 2 degrees stays.
 #[test]
 fn another_observer_changes_the_chromaticity_but_not_the_color_temperature() {
     let wide = table("illuminants/D65_1nm", "D65", &["--observer", "1964"]);
@@ -112,7 +112,7 @@ fn another_observer_changes_the_chromaticity_but_not_the_color_temperature() {
     }
 }
 
-/// goldens/04_reflectance_colorimetry.csv: test color sample 1, everything by Sprague.
+/// tests/data/04_reflectance_colorimetry.csv: test color sample 1, everything by Sprague.
 #[test]
 fn a_surface_has_the_colors_of_the_goldens() {
     let expected = [

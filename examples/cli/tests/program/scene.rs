@@ -112,7 +112,7 @@ fn wine_takes_its_absorbance_twice() {
 #[test]
 fn films_of_soap_have_the_published_colors() {
     let (mut compared, mut worst) = (0, 0.0f64);
-    for row in csv::golden("10_thin_film_colour").rows().filter(|row| row.text("stack") == "soap") {
+    for row in csv::golden("10_thin_film_color").rows().filter(|row| row.text("stack") == "soap") {
         let (thickness, angle) = (row.number("d_nm"), row.number("theta_deg"));
         let film = format!("film = {{ n = 1.33, thickness_nm = {thickness}, angle_deg = {angle} }}");
         let answer = SCENE.written("soap", &format!("[lamp]\ncie = \"D65\"\n[[part]]\n{film}\n"));
@@ -125,7 +125,7 @@ fn films_of_soap_have_the_published_colors() {
     }
     assert!(compared > 20 && worst < 4e-3, "{compared} films, {worst}");
     println!("{compared} films, worst {worst}");
-    let row = csv::golden("10_thin_film_colour").find("id", "soap_300_0");
+    let row = csv::golden("10_thin_film_color").find("id", "soap_300_0");
     assert_all_near(&SCENE.one(&["soap"])["XYZ"], &row.numbers(["X", "Y", "Z"]), 4e-3);
 }
 

@@ -147,7 +147,7 @@ fn what_is_not_there_is_named() {
     SCENE.refuses(&["not-there.toml"], "not-there.toml: ", "no such file");
     SCENE.refuses(&["vest", "--budget", "-1"], "--budget: ", "no color difference");
     SCENE.refuses(&["vest", "--budget", "nan"], "--budget: ", "no color difference");
-    SCENE.refuses(&["vest", "--budget", "much"], "scene: ", "much");
+    SCENE.refuses(&["vest", "--budget", "much"], "scene: ", "'much' for '--budget <DE>': not a number");
     SCENE.refuses(&["--json"], "scene: ", "--list");
     SCENE.refuses(&["vest", "--list"], "scene: ", "cannot be used");
     SCENE.refuses(&["vest", "--svg", "/dev/null/x"], "--svg /dev/null/x: ", "cannot be written");

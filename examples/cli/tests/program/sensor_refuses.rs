@@ -35,14 +35,16 @@ const BAD: &[(&[&str], &str, &str, &str)] = &[
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,4294967295,1\n", "stdin:2: ", "0..2147483647"),
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1e20,1e20,9,1\n", "stdin:2: ", "no exposure"),
     (&[], "G\n8,29,599,1,2,3,4,70000,6,7,8\n", "stdin:3: ", "more than the chip can count"),
-    (&["--floor=-1"], "", "--floor: ", "0 or more"),
+    (&["--floor", "-1"], "", "--floor: ", "0 or more"),
+    (&["--floor", "few"], "", "sensor: ", "not a number"),
     (&["--sensor", "as7342"], "", "sensor: ", "as7341"),
     (&["--unit", "absolute"], "G\n8,29,599,1,2,3,4,5,6,7,8\n", "--unit: ", "--responsivity"),
     (&["--calibration", "-"], "", "-: ", "once"),
     (&["--calibration", "nowhere.csv"], "G\n8,29,599,1,2,3,4,5,6,7,8\n", "nowhere.csv: ", "no such file"),
     (&["--responsivity", "tests"], "G\n8,29,599,1,2,3,4,5,6,7,8\n", "tests: ", "directory"),
     (&["--flicker-hz", "0"], "", "--flicker-hz: ", "above 0"),
-    (&["--electrons-per-count=-1"], "", "--electrons-per-count: ", "above 0"),
+    (&["--flicker-hz", "-50"], "", "--flicker-hz: ", "above 0"),
+    (&["--electrons-per-count", "-1"], "", "--electrons-per-count: ", "above 0"),
 ];
 
 #[test]

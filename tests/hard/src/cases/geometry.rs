@@ -16,7 +16,7 @@ pub fn rows(cases: &mut impl Cases) {
         |&[half]| [cone(half)],
     );
     cases.row("8", &SPHERES, naive_sphere, |&[radius, distance]| [sphere(radius, distance)]);
-    cases.row("9", &DISCS, naive_disks, |&[r1, r2]| [coaxial_disks(r1, r2, 1.0)]);
+    cases.row("9", &DISKS, naive_disks, |&[r1, r2]| [coaxial_disks(r1, r2, 1.0)]);
     let small = small();
     cases.row("10", &small, |corners| [van_oosterom(corners, atan2)], ours_triangle);
     cases.row("11a", &small, lhuilier, ours_triangle);
@@ -38,7 +38,7 @@ const SPHERES: [[f32; 2]; 8] = [
 ];
 
 /// Radii at a distance of 1.
-const DISCS: [[f32; 2]; 8] = [
+const DISKS: [[f32; 2]; 8] = [
     [3.389_908e-4, 1.402_434_3e-3],
     [0.1, 0.1],
     [0.01, 0.01],
