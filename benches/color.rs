@@ -1,4 +1,5 @@
-//! From XYZ to what it means. Ids are station/op/N/backend; `--bench peers` prints the ratios to other crates.
+//! From XYZ to what it means. Ids are station/op/N/backend; `--bench peers` prints the ratios to other
+//! crates.
 //!
 //! Every result is compared with the f64 model of the tests first.
 

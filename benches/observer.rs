@@ -1,8 +1,8 @@
 //! Spectrum to XYZ, singly and in batches of 1000; sums three ways; the most the core can do. Ids are
 //! station/op/N/backend; `--bench peers` prints the ratios.
 //!
-//! Every result is compared with the exact sum of the same products first. Other vectors (`--features simd` where
-//! there are any to choose, `RUSTFLAGS="-C target-cpu=x86-64-v3"`) give the same bits.
+//! Every result is compared with the exact sum of the same products first. Other vectors (`--features simd`
+//! where there are any to choose, `RUSTFLAGS="-C target-cpu=x86-64-v3"`) give the same bits.
 
 use criterion::{Criterion, Throughput};
 use nanospectra::observer::CIE_1931;

@@ -1,5 +1,5 @@
-//! From the counts of a chip to a color on a host; what a device needs is counted by `tests/devices.sh`. Ids are
-//! station/op/N/backend.
+//! From the counts of a chip to a color on a host; what a device needs is counted by `tests/devices.sh`. Ids
+//! are station/op/N/backend.
 
 use criterion::{BatchSize, BenchmarkId, Criterion};
 use nanospectra::color::Cct;

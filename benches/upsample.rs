@@ -1,9 +1,9 @@
-//! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`. Ids are
-//! station/op/N/backend.
+//! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`. Ids
+//! are station/op/N/backend.
 //!
-//! The colors are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for one
-//! color (or eight, or one sample, as the id says). `coefficients` are what `rgb2spec` finds in its table of 16^3
-//! cells, no spectrum yet. Every bench checks its result first.
+//! The colors are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for
+//! one color (or eight, or one sample, as the id says). `coefficients` are what `rgb2spec` finds in its table
+//! of 16^3 cells, no spectrum yet. Every bench checks its result first.
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};

@@ -1,5 +1,5 @@
-//! What the crate's sums are held against: explicit vectors of the `wide` crate, the plain loop, the pairwise sum, and
-//! the most that one core multiplies and adds.
+//! What the crate's sums are held against: explicit vectors of the `wide` crate, the plain loop, the pairwise
+//! sum, and the most that one core multiplies and adds.
 
 use std::hint::black_box;
 use wide::{f32x4, f32x8};
@@ -45,8 +45,8 @@ pub fn exact(row: &[f32], s: &[f32]) -> f64 {
     row.iter().zip(s).map(|(w, s)| f64::from(*w) * f64::from(*s)).sum()
 }
 
-/// Multiplications and additions (at least `count`) of full vectors that wait for nothing but registers, twelve chains
-/// of them. Not fused: the crate never fuses, because not every target can.
+/// Multiplications and additions (at least `count`) of full vectors that wait for nothing but registers,
+/// twelve chains of them. Not fused: the crate never fuses, because not every target can.
 #[inline(never)]
 pub fn multiply_and_add(count: usize) {
     macro_rules! chains {

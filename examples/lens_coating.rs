@@ -1,5 +1,5 @@
-//! An anti-reflection coating: what a lens reflects without it and with it, straight on and at a slant, and the
-//! purple bloom that is left. For everyone who works with thin films: coatings, oxide layers, soap.
+//! An anti-reflection coating: what a lens reflects without it and with it, straight on and at a slant, and
+//! the purple bloom that is left. For everyone who works with thin films: coatings, oxide layers, soap.
 //!
 //! `cargo run --release --example lens_coating`
 
@@ -28,8 +28,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
 
-    // Fresnel, for light that falls straight on: ((1 - n) / (1 + n))^2 = 4.26 %; with a quarter of a wave of index
-    // n1 on it ((n - n1^2) / (n + n1^2))^2 = 1.26 % (Born and Wolf, Principles of Optics, 1.6).
+    // Fresnel, for light that falls straight on: ((1 - n) / (1 + n))^2 = 4.26 %; with a quarter of a wave of
+    // index n1 on it ((n - n1^2) / (n + n1^2))^2 = 1.26 % (Born and Wolf, Principles of Optics, 1.6).
     let [s, p] = bare.at(550.0, 1.0);
     assert!((s.reflected - 0.0426).abs() < 5e-5 && (p.reflected - 0.0426).abs() < 5e-5);
     let [s, p] = coating.at(550.0, 1.0);

@@ -1,5 +1,5 @@
-//! Many spectra at once to XYZ and CCT: here a furnace that heats up, measured every 5 nm a thousand times. For logs,
-//! hyperspectral images and production lines.
+//! Many spectra at once to XYZ and CCT: here a furnace that heats up, measured every 5 nm a thousand times.
+//! For logs, hyperspectral images and production lines.
 //!
 //! `cargo run --release --example many_spectra`
 
@@ -25,8 +25,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     EYE.sees_each(&spectra, &mut xyz);
     println!("{} spectra to XYZ in {:?}", spectra.len(), start.elapsed());
 
-    // A black body has its own temperature for a CCT, by definition. (In mired, 1e6 / K, an error looks the same to
-    // the eye at any temperature; 1 mired is hardly visible.)
+    // A black body has its own temperature for a CCT, by definition. (In mired, 1e6 / K, an error looks the
+    // same to the eye at any temperature; 1 mired is hardly visible.)
     let mut worst_mired = 0.0_f32;
     for (&kelvin, &xyz) in kelvins.iter().zip(&xyz) {
         let uv = Xyz::from(xyz).uv1960().ok_or("dark")?;

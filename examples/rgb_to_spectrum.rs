@@ -1,5 +1,6 @@
-//! An sRGB color becomes a smooth reflectance that has exactly this color in daylight; the reflectance is read
-//! back, and looked at under another lamp. For renderers and paint programs that have an RGB and need a spectrum.
+//! An sRGB color becomes a smooth reflectance that has exactly this color in daylight; the reflectance is
+//! read back, and looked at under another lamp. For renderers and paint programs that have an RGB and need a
+//! spectrum.
 //!
 //! `cargo run --release --example rgb_to_spectrum`
 

@@ -1,6 +1,6 @@
-//! Counts of an eight-channel color sensor (AS7341) to illuminance, XYZ and CCT, in f32, with one reading under a
-//! lamp of known illuminance for a calibration. For firmware on a core with an FPU; see `sensor_counts_integer` for
-//! one without.
+//! Counts of an eight-channel color sensor (AS7341) to illuminance, XYZ and CCT, in f32, with one reading
+//! under a lamp of known illuminance for a calibration. For firmware on a core with an FPU; see
+//! `sensor_counts_integer` for one without.
 //!
 //! `cargo run --release --example sensor_counts`
 
@@ -15,13 +15,14 @@ type Grid = Nodes<400, 700>;
 static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 
-/// From counts to the smoothest spectrum behind them and on to XYZ: a matrix of 96 bytes, made by the compiler.
+/// From counts to the smoothest spectrum behind them and on to XYZ: a matrix of 96 bytes, made by the
+/// compiler.
 static TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 /// Gain 16, registers ATIME 29 and ASTEP 599: 50 ms, and full scale is 18000 counts.
 static EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 
-/// Channels F1 to F8 under an incandescent lamp (CIE illuminant A) that a lux meter reads as 500 lx. These counts
-/// and the next are simulated, so that what the lamps are is known.
+/// Channels F1 to F8 under an incandescent lamp (CIE illuminant A) that a lux meter reads as 500 lx. These
+/// counts and the next are simulated, so that what the lamps are is known.
 const KNOWN: ([u16; 8], f32) = ([733, 1349, 2527, 3918, 5441, 7035, 10882, 13899], 500.0);
 /// The same under a white LED (CIE illuminant LED-B3) of 500 lx.
 const COUNTS: [u16; 8] = [416, 3675, 2876, 4434, 6022, 6825, 6864, 3069];

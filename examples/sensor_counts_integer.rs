@@ -1,5 +1,6 @@
-//! Counts of an eight-channel color sensor (AS7341) to illuminance, CCT and Duv without one float at run time. For
-//! firmware on a core without an FPU (Cortex-M0, RV32IMAC), where floats need twenty times as many instructions.
+//! Counts of an eight-channel color sensor (AS7341) to illuminance, CCT and Duv without one float at run
+//! time. For firmware on a core without an FPU (Cortex-M0, RV32IMAC), where floats need twenty times as many
+//! instructions.
 //!
 //! `cargo run --release --example sensor_counts_integer`
 
@@ -15,7 +16,8 @@ const CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 const EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 const TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 
-/// Gain 16 and 50 ms; Y in lux by the factor that the example `sensor_counts` finds. What lies in flash is this.
+/// Gain 16 and 50 ms; Y in lux by the factor that the example `sensor_counts` finds. What lies in flash is
+/// this.
 static METER: FixedMeter<8> =
     FixedMeter::new(&as7341::exposure(16.0, 29, 599), &TO_XYZ.scaled(27.363_61)).unwrap();
 

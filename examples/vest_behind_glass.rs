@@ -1,6 +1,6 @@
-//! A fluorescent vest in daylight, and in the headlamps of a car as its driver sees it through tinted glass. What
-//! glows is a part of the light's path like any other. For everyone who assesses safety clothing, signs or papers
-//! with optical brighteners.
+//! A fluorescent vest in daylight, and in the headlamps of a car as its driver sees it through tinted glass.
+//! What glows is a part of the light's path like any other. For everyone who assesses safety clothing, signs
+//! or papers with optical brighteners.
 //!
 //! `cargo run --release --example vest_behind_glass`
 
@@ -46,8 +46,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let from_the_car = Xyz::from(EYE.sees(headlamp.onto(&glowing).through(&windscreen))).scaled(1.0 / white);
     println!("in LED headlamps, through the windscreen: luminance factor {:.2}", from_the_car.y);
 
-    // EN ISO 20471 asks of fluorescent yellow for a luminance factor above 0.70 and a chromaticity within these
-    // corners, both under D65.
+    // EN ISO 20471 asks of fluorescent yellow for a luminance factor above 0.70 and a chromaticity within
+    // these corners, both under D65.
     let corners = [[0.387, 0.610], [0.356, 0.494], [0.398, 0.452], [0.460, 0.540]];
     let inside = (0..4).all(|k| {
         let ([x0, y0], [x1, y1]) = (corners[k], corners[(k + 1) % 4]);

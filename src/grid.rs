@@ -4,8 +4,8 @@
 /// ([`RgbBands`](crate::color::RgbBands)).
 ///
 /// What needs no wavelengths asks for no more than this: arithmetic, [`flat`](crate::Spectrum::flat), BRDFs,
-/// radiometry, paths, observers. Code that is generic over it, or written against an alias, is a spectral renderer or
-/// an RGB one:
+/// radiometry, paths, observers. Code that is generic over it, or written against an alias, is a spectral
+/// renderer or an RGB one:
 ///
 /// ```
 /// use nanospectra::color::{RgbBands, Srgb};
@@ -19,7 +19,8 @@
 /// assert_eq!((spectral.peak(), rgb.peak()), (0.25, 0.25));
 /// ```
 ///
-/// Bands of your own are a type with [`Grid`], or an RGB space of your own in `RgbBands`: there is no other kind.
+/// Bands of your own are a type with [`Grid`], or an RGB space of your own in `RgbBands`: there is no other
+/// kind.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` says nothing of what the numbers of a spectrum belong to",
     note = "use `Bins`, `Nodes`, a type with `Grid`, or `RgbBands` for red, green and blue"
@@ -99,7 +100,8 @@ impl<const FIRST: u16, const LAST: u16> Grid for Nodes<FIRST, LAST> {
     const CENTERED: bool = true;
 }
 
-/// The bands `G` when there are `N` of them: checked, and their wavelengths worked out, once, when code is generated.
+/// The bands `G` when there are `N` of them: checked, and their wavelengths worked out, once, when code is
+/// generated.
 pub(crate) struct Layout<G, const N: usize>(core::marker::PhantomData<G>);
 
 impl<G: Bands, const N: usize> Layout<G, N> {
@@ -158,8 +160,8 @@ impl<G: Grid, const N: usize> Layout<G, N> {
     }
 }
 
-/// `Clone`, `Copy`, `PartialEq` and `Debug` by these fields, whatever the grid: derived, they would ask it of the
-/// grid too, which is only a name.
+/// `Clone`, `Copy`, `PartialEq` and `Debug` by these fields, whatever the grid: derived, they would ask it of
+/// the grid too, which is only a name.
 macro_rules! by_fields {
     ([$($generics:tt)*] $type:ty, $name:literal: $($field:tt),+) => {
         impl<$($generics)*> Clone for $type {

@@ -1,6 +1,7 @@
 //! What a path costs, known while compiling.
 
-/// A set of optical effects that a factor per bin cannot express: fluorescence, phosphorescence, polarization.
+/// A set of optical effects that a factor per bin cannot express: fluorescence, phosphorescence,
+/// polarization.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Effects(u8);
@@ -72,8 +73,8 @@ impl core::fmt::Display for Effects {
 pub struct Price {
     /// The effects that it computes.
     pub effects: Effects,
-    /// Multiplications (most with an addition) for evaluating all bins once, at most: the compiler leaves out what does
-    /// not reach the eye. An observer of `C` channels adds `C * N` of its own.
+    /// Multiplications (most with an addition) for evaluating all bins once, at most: the compiler leaves out
+    /// what does not reach the eye. An observer of `C` channels adds `C * N` of its own.
     pub multiply_adds: usize,
     /// Bytes of the numbers that its stages hold, in flash or in RAM.
     pub bytes: usize,
@@ -134,8 +135,8 @@ impl Price {
 pub trait Priced {
     /// The price of working out all numbers once.
     const PRICE: Price;
-    /// The multiplications of [`PRICE`](Self::PRICE) that a second reading of the numbers would take again. Light
-    /// that makes matter fluoresce is read twice.
+    /// The multiplications of [`PRICE`](Self::PRICE) that a second reading of the numbers would take again.
+    /// Light that makes matter fluoresce is read twice.
     const AGAIN: usize = Self::PRICE.multiply_adds;
 }
 

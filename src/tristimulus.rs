@@ -5,9 +5,9 @@ use core::fmt;
 
 /// CIE tristimulus values.
 ///
-/// Y is 100 for a perfect white surface and for a light that is given relative to itself ([`Xyz::with_y`]): all
-/// conversions to and from RGB, Oklab and displays are on this scale. Absolute values are in lm, lx or cd/m2
-/// (through [`KM`](crate::observer::KM)).
+/// Y is 100 for a perfect white surface and for a light that is given relative to itself ([`Xyz::with_y`]):
+/// all conversions to and from RGB, Oklab and displays are on this scale. Absolute values are in lm, lx or
+/// cd/m2 (through [`KM`](crate::observer::KM)).
 ///
 /// ```
 /// use nanospectra::color::Xyz;

@@ -18,8 +18,8 @@ mod upsample;
 
 use table::Table;
 
-/// An XYZ observer: one static with three rows, padded with zeros to the CIE grid of 360..=830 nm. With the name that
-/// users type and the title for reports, which make `observer::NAMED`.
+/// An XYZ observer: one static with three rows, padded with zeros to the CIE grid of 360..=830 nm. With the
+/// name that users type and the title for reports, which make `observer::NAMED`.
 const OBSERVERS: &[(&str, &str, &str, &str)] = &[
     ("CIE_1931", "cie_1931_2deg_xyz_1nm", "1931", "CIE 1931, 2°"),
     ("CIE_1964", "cie_1964_10deg_xyz_1nm", "1964", "CIE 1964, 10°"),
@@ -38,9 +38,9 @@ const RESPONSES: &[(&str, &str, &str)] = &[
 const CONES: &[(&str, &str)] =
     &[("LMS_2_5NM", "cie_2006_2deg_lms_5nm_official"), ("LMS_10_5NM", "cie_2006_10deg_lms_5nm_official")];
 
-/// Illuminants: one static for each column, on the published grid. The suffix goes after the
-/// column's name: `FL11` is the official 5 nm table, `FL11_1NM` the other one. What a light is stands with the last
-/// column that is of this kind.
+/// Illuminants: one static for each column, on the published grid. The suffix goes after the column's name:
+/// `FL11` is the official 5 nm table, `FL11_1NM` the other one. What a light is stands with the last column
+/// that is of this kind.
 const ILLUMINANTS: &[(&str, &str, Kinds)] = &[
     ("A_1nm", "", &[("A", "a tungsten filament lamp")]),
     ("C_5nm", "", &[("C", "daylight as a filtered tungsten lamp gives it")]),

@@ -1,7 +1,7 @@
 //! The Planckian locus for integers: knots with unit tangents, and two parabolas for each segment.
 //!
-//! What a segment lacks is fitted here, by least squares over its length and |Duv| <= 0.05, from the locus itself;
-//! the formulas are those of `src/sensor/fixed/cct.rs`.
+//! What a segment lacks is fitted here, by least squares over its length and |Duv| <= 0.05, from the locus
+//! itself; the formulas are those of `src/sensor/fixed/cct.rs`.
 
 use crate::locus::{KNOTS, knot};
 use crate::table::Table;

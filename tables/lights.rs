@@ -16,7 +16,8 @@ impl Locus {
         Locus((0..900).map(point).collect())
     }
 
-    /// `"; 4000 K, x = 0.3805, y = 0.3769"`: read at 1 nm by straight lines, zero outside, as the library does.
+    /// `"; 4000 K, x = 0.3805, y = 0.3769"`: read at 1 nm by straight lines, zero outside, as the library
+    /// does.
     pub fn describe(&self, table: &Table, column: &[f64], cmf: &Table) -> String {
         let (first, step) = (f64::from(table.wavelengths[0]), f64::from(table.step()));
         let power = |nm: u16| {
@@ -36,8 +37,8 @@ impl Locus {
         format!("; {kelvin:.0} K, x = {x:.4}, y = {y:.4}")
     }
 
-    /// The temperature of the point of the locus next to (u, v): the lowest place of the parabola through the squared
-    /// distances of the nearest three.
+    /// The temperature of the point of the locus next to (u, v): the lowest place of the parabola through the
+    /// squared distances of the nearest three.
     fn cct(&self, [u, v]: [f64; 2]) -> f64 {
         let distance = |[_, u0, v0]: [f64; 3]| (u - u0) * (u - u0) + (v - v0) * (v - v0);
         let distances = |three: &[[f64; 3]]| [three[0], three[1], three[2]].map(distance);

@@ -1,8 +1,8 @@
 //! The Planckian locus as a table: knots of a cubic Hermite curve in the CIE 1960 plane.
 //!
-//! The parameter k counts knots, and the reciprocal temperature is `FIRST + k (LINEAR + k^2 CUBIC)` mired, 0.99 to
-//! 1000.01 (1 to 1000 with room for rounding): the locus bends most at its hot end. 25 knots are then good for
-//! 0.009 mired over |Duv| <= 0.05, where 31 equally spaced ones are for 0.038.
+//! The parameter k counts knots, and the reciprocal temperature is `FIRST + k (LINEAR + k^2 CUBIC)` mired,
+//! 0.99 to 1000.01 (1 to 1000 with room for rounding): the locus bends most at its hot end. 25 knots are then
+//! good for 0.009 mired over |Duv| <= 0.05, where 31 equally spaced ones are for 0.038.
 
 use crate::table::Table;
 use std::fmt::Write as _;

@@ -1,8 +1,8 @@
 //! The black bodies that color rendering is judged against, as sums of a few spectra: Chebyshev series in the
 //! reciprocal temperature, in two halves of 200 to 1000 mired (5000 to 1000 K).
 //!
-//! What an eye sees of such a sum is the same sum of what it sees of the few spectra, which the compiler works out.
-//! Nine terms beyond the first leave 3e-7 of the largest of X, Y and Z.
+//! What an eye sees of such a sum is the same sum of what it sees of the few spectra, which the compiler
+//! works out. Nine terms beyond the first leave 3e-7 of the largest of X, Y and Z.
 
 use crate::locus::bose;
 use crate::table::Table;

@@ -1,5 +1,5 @@
-//! What the types cost beside plain loops and three floats by hand. (A ratio of 0.91 is 1.1 times as long.) Results are
-//! compared bit by bit before they are timed.
+//! What the types cost beside plain loops and three floats by hand. (A ratio of 0.91 is 1.1 times as long.)
+//! Results are compared bit by bit before they are timed.
 
 use crate::race::{Races, each};
 use nanospectra::color::{RgbBands, RgbSpace, Srgb};

@@ -1,4 +1,5 @@
-//! What a color means: `colorimetry` for CCT and color rendering, `palette` in f32 for Lab, CIEDE2000 and sRGB.
+//! What a color means: `colorimetry` for CCT and color rendering, `palette` in f32 for Lab, CIEDE2000 and
+//! sRGB.
 
 use crate::race::{Races, each};
 use colorimetry::illuminant::Illuminant;

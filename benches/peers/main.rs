@@ -4,8 +4,9 @@
 //! cargo bench -p nanospectra-benches --bench peers [-- [observer] [color] [upsample] [alias] [--json FILE]]
 //! ```
 //!
-//! Every result is compared with f64 before it is timed. `RUSTFLAGS="-C target-cpu=x86-64-v3"` builds for AVX2, which
-//! changes no number. Times wobble, so a missed bar fails nothing; what may not grow is gated on instruction counts.
+//! Every result is compared with f64 before it is timed. `RUSTFLAGS="-C target-cpu=x86-64-v3"` builds for
+//! AVX2, which changes no number. Times wobble, so a missed bar fails nothing; what may not grow is gated on
+//! instruction counts.
 
 mod alias;
 mod color;

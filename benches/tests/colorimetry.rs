@@ -1,5 +1,5 @@
-//! The crate `colorimetry` 0.1.0, which needs std and computes in f64 over 380 to 780 nm, beside this one: the same
-//! numbers from its own spectra. Where it deviates, the deviation has a name and a bound.
+//! The crate `colorimetry` 0.1.0, which needs std and computes in f64 over 380 to 780 nm, beside this one:
+//! the same numbers from its own spectra. Where it deviates, the deviation has a name and a bound.
 
 use colorimetry::illuminant::CieIlluminant as Theirs;
 use colorimetry::observer::Observer as TheirEye;
@@ -55,7 +55,8 @@ fn xyz_and_xy_are_the_same_for_every_observer() {
     xy.tight(2 * 4 * LIGHTS.len());
 }
 
-/// A point of the locus and its slope by mired, as `colorimetry` has them: sums over 380 to 780 nm, c2 of CODATA.
+/// A point of the locus and its slope by mired, as `colorimetry` has them: sums over 380 to 780 nm, c2 of
+/// CODATA.
 fn their_locus(mired: f64) -> ([f64; 2], [f64; 2]) {
     let cmf = Observer::Cie1931.on_cie_grid();
     let at = |mired: f64| {
@@ -123,7 +124,8 @@ fn fidelity_and_gamut_are_the_same_but_for_its_blend_between_4000_and_5000_k() {
         let theirs = light.illuminant().cfi().expect("a white light");
         let found = tm30(&ours(light)).expect("a white light");
         let (expected_rf, expected_rg) = (theirs.color_fidelity_index(), theirs.color_gamut_index());
-        // Between the two it mixes Planck(4000 K) with D(5000 K), where TM-30 mixes both at the CCT of the light.
+        // Between the two it mixes Planck(4000 K) with D(5000 K), where TM-30 mixes both at the CCT of the
+        // light.
         if (4000.0..5000.0).contains(&found.cct_k) {
             blended += 1;
             blended_rf.value(name, found.rf.into(), expected_rf);

@@ -1,5 +1,5 @@
-//! What an upsampled spectrum has in common with the real one: the CES99 samples within sRGB, their RGB under D65
-//! turned into a spectrum again, and both seen under other lamps.
+//! What an upsampled spectrum has in common with the real one: the CES99 samples within sRGB, their RGB under
+//! D65 turned into a spectrum again, and both seen under other lamps.
 
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
 use nanospectra::light::{A, D65, FL2, FL11, LED_B3};
@@ -12,8 +12,8 @@ use rgb2spec::optimize::{gamut::Gamut, optimize};
 type Grid = Nodes<380, 780>;
 type Eye = Observer<3, 81, Factor, Grid>;
 
-/// Means over the samples: root mean square of the difference over 400..=700 nm; CIEDE2000 under each lamp; and
-/// the mean size of second differences.
+/// Means over the samples: root mean square of the difference over 400..=700 nm; CIEDE2000 under each lamp;
+/// and the mean size of second differences.
 #[derive(Debug, Default)]
 struct Realism {
     rms: f64,

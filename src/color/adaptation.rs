@@ -41,8 +41,8 @@ impl ConeResponses for VonKries {
 
 /// The change from one white to another, as a matrix for tristimulus values.
 ///
-/// The first white gets the chromaticity of the second and keeps its luminance, so that only the chromaticities of
-/// the whites count. They may be given with any Y, and the adapted colors keep their scale.
+/// The first white gets the chromaticity of the second and keeps its luminance, so that only the
+/// chromaticities of the whites count. They may be given with any Y, and the adapted colors keep their scale.
 ///
 /// # Reference
 /// CIE 160:2004; ICC.1:2022 annex E for Bradford; CIE 248:2022 for CAT16.
@@ -82,7 +82,8 @@ impl Adaptation {
     /// a deep blue or red laser has. NaN stays NaN; a white with X / Y or Z / Y beyond 1e37 overflows.
     ///
     /// # Accuracy
-    /// 3e-6 per element, whose largest is 9, from high-pressure sodium to D65 (`tests/color/rgb_and_adaptation.rs`).
+    /// 3e-6 per element, whose largest is 9, from high-pressure sodium to D65
+    /// (`tests/color/rgb_and_adaptation.rs`).
     #[must_use]
     pub fn between<C: ConeResponses>(from: Xyz, to: Xyz) -> Option<Self> {
         Self::partial::<C>(from, to, 1.0)

@@ -10,8 +10,8 @@ include!(concat!(env!("OUT_DIR"), "/locus.rs"));
 const SEGMENTS: usize = LOCUS.len() - 1;
 
 /// CIE 15: a correlated color temperature has no meaning further than this from the locus, with room for the
-/// rounding of u and v. (Its radius of curvature goes down to 0.1001 there, and points beyond that have no nearest
-/// one.)
+/// rounding of u and v. (Its radius of curvature goes down to 0.1001 there, and points beyond that have no
+/// nearest one.)
 const MAX_DUV: f32 = 0.05 + 2e-7;
 
 /// A correlated color temperature with its Duv, or the reason why a color has none.
@@ -182,8 +182,8 @@ impl Segment {
         Segment { start: [u0, v0], tangent: t0, bend: [bend(0), bend(1)], twist }
     }
 
-    /// Place and signed distance of the point nearest to `p`: one Newton step on (locus - p) . tangent = 0 from
-    /// `s`, which leaves 4e-4 mired; the Taylor series about `s` gives the point it leads to.
+    /// Place and signed distance of the point nearest to `p`: one Newton step on (locus - p) . tangent = 0
+    /// from `s`, which leaves 4e-4 mired; the Taylor series about `s` gives the point it leads to.
     #[inline(always)]
     fn nearest(&self, p: Uv1960, s: f32) -> (f32, f32) {
         let at = |i: usize, p: f32| {

@@ -8,8 +8,8 @@ use crate::color::difference::{Polar, polar};
 use crate::math::Portable;
 use crate::math::{Math, cos_turns, sin_turns, sqrt};
 
-/// The parametric factors of CIEDE2000, which account for viewing conditions: all 1 under reference conditions (the
-/// default), kL = 2 for textiles. They must be above zero.
+/// The parametric factors of CIEDE2000, which account for viewing conditions: all 1 under reference
+/// conditions (the default), kL = 2 for textiles. They must be above zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ParametricFactors {
@@ -53,8 +53,8 @@ pub fn ciede2000(x: Lab, y: Lab) -> f32 {
 
 #[cfg(feature = "libm")]
 impl Xyz {
-    /// [`ciede2000`] between two colors seen beside the same `white`; NaN if a component of the white is not above
-    /// zero.
+    /// [`ciede2000`] between two colors seen beside the same `white`; NaN if a component of the white is not
+    /// above zero.
     ///
     /// ```
     /// # use nanospectra::color::Xyz;

@@ -26,16 +26,17 @@ pub struct Cri {
 /// The CIE 1974 test color method, unrounded.
 ///
 /// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there, above 25000 K by
-/// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer. The sums are
-/// taken in another order, samples last, and for the reference ahead of time; the numbers are the same but for rounding.
+/// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer. The
+/// sums are taken in another order, samples last, and for the reference ahead of time; the numbers are the
+/// same but for rounding.
 ///
 /// # Accuracy
-/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15 is tabulated
-/// over 380..=780 nm only; its end values are held beyond.
+/// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15 is
+/// tabulated over 380..=780 nm only; its end values are held beyond.
 ///
 /// # Cost
-/// 17 KB of tables, color-matching functions included; 13,000 multiplications and additions and no exponential, 2.1 us
-/// on an x86-64 host.
+/// 17 KB of tables, color-matching functions included; 13,000 multiplications and additions and no
+/// exponential, 2.1 us on an x86-64 host.
 ///
 /// # Errors
 /// [`RenderingError`]: dark, no white, or with values so negative that a sample has no color.

@@ -9,8 +9,8 @@ const ACHROMATIC: f32 = 1e-5;
 const SAME_CUT: f32 = 0.999;
 /// A ray this near to a node of the locus, in radians, may touch it.
 const TOUCH: f32 = 1e-4;
-/// Beyond about 410 and 690 nm the locus folds back on itself; of two cuts there the one nearer to this, in nm,
-/// is the color that one sees.
+/// Beyond about 410 and 690 nm the locus folds back on itself; of two cuts there the one nearer to this, in
+/// nm, is the color that one sees.
 const MIDDLE_NM: f32 = 555.0;
 
 /// The spectral color that gives a color when it is mixed with white, and its part in the mixture.
@@ -55,8 +55,8 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     if let Some((nm, reach)) = locus.cut(ray) {
         return Some(DominantWavelength { nm, purity: share(length, reach) });
     }
-    // A deep red or violet light lies on the fold at an end of the locus, on or beyond the purple line, where a
-    // ray that just touches the fold cuts nothing.
+    // A deep red or violet light lies on the fold at an end of the locus, on or beyond the purple line, where
+    // a ray that just touches the fold cuts nothing.
     let purple = locus.purple(ray);
     let (touched, reach, angle) = locus.nearest(ray)?;
     if angle < TOUCH && purple.is_none_or(|purple| length > purple * (1.0 - 1e-6)) {
@@ -100,8 +100,8 @@ impl Locus<'_> {
         (0..471).filter_map(|k| self.node(k))
     }
 
-    /// Where the ray leaves through the locus: the wavelength, and the cut's distance from the white times the
-    /// ray's length. Of several cuts the outermost.
+    /// Where the ray leaves through the locus: the wavelength, and the cut's distance from the white times
+    /// the ray's length. Of several cuts the outermost.
     fn cut(&self, ray: [f32; 2]) -> Option<(f32, f32)> {
         let mut found: Option<(f32, f32)> = None;
         let mut before = None;

@@ -25,8 +25,8 @@ impl<S: RgbSpace> Rgb<S> {
         self.mapped(self.to_array().map(|c| c.clamp(0.0, 1.0)))
     }
 
-    /// Divides by the largest component where that is above 1, which keeps the chromaticity: for lights that are
-    /// brighter than the display. A component below zero stays below zero: desaturate or clip afterwards.
+    /// Divides by the largest component where that is above 1, which keeps the chromaticity: for lights that
+    /// are brighter than the display. A component below zero stays below zero: desaturate or clip afterwards.
     #[must_use]
     pub fn dim(self) -> GamutMapped<S> {
         let largest = self.r.max(self.g).max(self.b);
@@ -37,9 +37,9 @@ impl<S: RgbSpace> Rgb<S> {
         }
     }
 
-    /// Mixes the color with the gray of its luminance, just as much as brings it into the gamut, which keeps the
-    /// luminance and the dominant wavelength. A color brighter than white becomes white, one with a luminance
-    /// below zero black; NaN stays NaN.
+    /// Mixes the color with the gray of its luminance, just as much as brings it into the gamut, which keeps
+    /// the luminance and the dominant wavelength. A color brighter than white becomes white, one with a
+    /// luminance below zero black; NaN stays NaN.
     ///
     /// ```
     /// use nanospectra::color::{Rgb, Srgb};

@@ -12,7 +12,8 @@ const KNEE: f32 = 216.0 / 24389.0;
 /// The slope of lightness below the knee: (29/3)^3.
 const KAPPA: f32 = 24389.0 / 27.0;
 
-/// Ratios to the white whose sum of sizes is beyond this overflow on the straight part: 500 (29/3)^3 / 116 times it.
+/// Ratios to the white whose sum of sizes is beyond this overflow on the straight part: 500 (29/3)^3 / 116
+/// times it.
 const MOST: f32 = 8e34;
 
 /// What the compressed ratio of black is.
@@ -49,9 +50,9 @@ impl Xyz {
     /// CIELAB relative to `white`, which is on the same scale as the color: both with Y = 100 for a perfect
     /// white surface, or both in cd/m2.
     ///
-    /// Negative tristimulus values are on the straight part of the curve and stay finite.
-    /// `None` if a component of the white is not above zero, as Z of a red laser beyond 650 nm, where z-bar is zero
-    /// in the CIE table, or so small that the color is 8e34 times as large. NaN stays NaN.
+    /// Negative tristimulus values are on the straight part of the curve and stay finite. `None` if a
+    /// component of the white is not above zero, as Z of a red laser beyond 650 nm, where z-bar is zero in
+    /// the CIE table, or so small that the color is 8e34 times as large. NaN stays NaN.
     ///
     /// # Accuracy
     /// 4e-5 on real colors, whether near gray or not (`tests/color/spaces.rs`); L\* is exactly
@@ -93,8 +94,9 @@ impl Xyz {
         // The compressed ratios less 16/116: then the straight part goes through zero and keeps its digits.
         let compressed = |t| if t > KNEE { cbrt(t) - OFFSET } else { KAPPA / 116.0 * t };
         let [fx, fy, fz] = [x, y, z].map(compressed);
-        // A difference of cube roots is the difference of the numbers over the sum of squares of the roots: without
-        // the cancellation that makes near grays uncertain. With one on the straight part, they are far apart.
+        // A difference of cube roots is the difference of the numbers over the sum of squares of the roots:
+        // without the cancellation that makes near grays uncertain. With one on the straight part, they are
+        // far apart.
         let (a, b) = if x > KNEE && y > KNEE && z > KNEE {
             let [x3, y3, z3] = [fx + OFFSET, fy + OFFSET, fz + OFFSET];
             let squares = |s: f32, t: f32| s * s + s * t + t * t;

@@ -14,7 +14,8 @@ use core::fmt;
 pub enum RenderingError {
     /// The light has no visible power, or it holds a NaN.
     Dark,
-    /// The light or a sample under it has tristimulus values that no real color has, as from a negative spectrum.
+    /// The light or a sample under it has tristimulus values that no real color has, as from a negative
+    /// spectrum.
     Unreal,
     /// The light is not a white: it has no color temperature, for the reason given, and so no reference.
     NoReference(Cct),

@@ -53,9 +53,9 @@ impl<S: RgbSpace> Rgb<S> {
 
     /// The amounts of the primaries that give a color with Y = 100 for white.
     ///
-    /// The color is not adapted: it is one seen under the white of the space. Adapt a color that is seen under
-    /// another white first (see [`Adaptation`](crate::color::Adaptation)). NaN stays NaN; components beyond 1e37
-    /// in size overflow.
+    /// The color is not adapted: it is one seen under the white of the space. Adapt a color that is seen
+    /// under another white first (see [`Adaptation`](crate::color::Adaptation)). NaN stays NaN; components
+    /// beyond 1e37 in size overflow.
     ///
     /// # Accuracy
     /// 4e-7 (`tests/color/rgb_and_adaptation.rs`).

@@ -7,18 +7,19 @@ use crate::observer::StandardObserver;
 use crate::spectrum::Spectrum;
 use core::marker::PhantomData;
 
-/// Red, green and blue of the space `S` in place of a [`Grid`](crate::Grid): light `Light<3, RgbBands<S>>` and
-/// surfaces `Reflectance<3, RgbBands<S>>` go through the same arithmetic, BRDFs, radiometry and paths as spectra.
+/// Red, green and blue of the space `S` in place of a [`Grid`](crate::Grid): light `Light<3, RgbBands<S>>`
+/// and surfaces `Reflectance<3, RgbBands<S>>` go through the same arithmetic, BRDFs, radiometry and paths as
+/// spectra.
 ///
-/// They are [`Bands`], and no grid: no wavelengths belong to the three numbers, so samples, lines, glass, films and dyes
-/// are not to be had. [`from_rgb`](crate::Spectrum::from_rgb) and
-/// [`Observer::standard`](crate::Observer::standard) have the same names for spectra, so that one alias decides what a
-/// program computes with.
+/// They are [`Bands`], and no grid: no wavelengths belong to the three numbers, so samples, lines, glass,
+/// films and dyes are not to be had. [`from_rgb`](crate::Spectrum::from_rgb) and
+/// [`Observer::standard`](crate::Observer::standard) have the same names for spectra, so that one alias
+/// decides what a program computes with.
 ///
 /// # Accuracy
-/// Products of colors are not colors of products. The 99 samples of CIE 224 under FL1 to FL12, each sample as its
-/// color under D65 and each lamp as its color, are off by 4.6 CIEDE2000 in the mean and by up to 18.8 in sRGB, by 3.8
-/// and up to 12.3 in ACEScg (`tests/path/chain.rs`).
+/// Products of colors are not colors of products. The 99 samples of CIE 224 under FL1 to FL12, each sample as
+/// its color under D65 and each lamp as its color, are off by 4.6 CIEDE2000 in the mean and by up to 18.8 in
+/// sRGB, by 3.8 and up to 12.3 in ACEScg (`tests/path/chain.rs`).
 ///
 /// ```
 /// use nanospectra::color::{Rgb, RgbBands, Srgb};

@@ -1,4 +1,5 @@
-//! RGB spaces: each is a type, with matrices that the compiler derives from the chromaticities in its standard.
+//! RGB spaces: each is a type, with matrices that the compiler derives from the chromaticities in its
+//! standard.
 
 use core::fmt::Debug;
 
@@ -8,7 +9,8 @@ use crate::color::transfer::{self, Transfer};
 
 /// What defines an RGB space: three primaries, a white, and the usual transfer function.
 ///
-/// The compiler derives the matrices from the chromaticities, in f64. A space of your own is a type of your own:
+/// The compiler derives the matrices from the chromaticities, in f64. A space of your own is a type of your
+/// own:
 ///
 /// ```
 /// use nanospectra::color::{Rgb, RgbSpace, Xyz, transfer};
@@ -30,8 +32,8 @@ pub trait RgbSpace: Copy + Debug + 'static {
     /// The transfer function the space is used with.
     type Transfer: Transfer;
 
-    /// Linear RGB to X, Y, Z as standards print the matrix, row-major: its white has Y = 1, a hundredth of what
-    /// an [`Xyz`] has. [`Rgb::xyz`](crate::color::Rgb::xyz) applies it and multiplies by 100.
+    /// Linear RGB to X, Y, Z as standards print the matrix, row-major: its white has Y = 1, a hundredth of
+    /// what an [`Xyz`] has. [`Rgb::xyz`](crate::color::Rgb::xyz) applies it and multiplies by 100.
     const TO_XYZ: [[f32; 3]; 3] = rounded(&to_xyz64(&Self::PRIMARIES, Self::WHITE));
     /// The inverse of [`TO_XYZ`](Self::TO_XYZ), from X, Y, Z with Y = 1 for white to linear RGB.
     const FROM_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&to_xyz64(&Self::PRIMARIES, Self::WHITE)));
@@ -50,8 +52,8 @@ pub struct Srgb;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DisplayP3;
-/// BT.2020 with the transfer function of a BT.1886 display; encoded by [`transfer::Pq`] or [`transfer::Hlg`] it is
-/// BT.2100.
+/// BT.2020 with the transfer function of a BT.1886 display; encoded by [`transfer::Pq`] or [`transfer::Hlg`]
+/// it is BT.2100.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bt2020;
@@ -98,7 +100,8 @@ const fn column(xy: [f64; 2]) -> [f64; 3] {
     [xy[0] / xy[1], 1.0, (1.0 - xy[0] - xy[1]) / xy[1]]
 }
 
-/// The matrix to X, Y, Z with Y = 1 for white: the primaries as columns, in the proportion whose sum is the white.
+/// The matrix to X, Y, Z with Y = 1 for white: the primaries as columns, in the proportion whose sum is the
+/// white.
 pub(crate) const fn to_xyz64(primaries: &[[f64; 2]; 3], white: [f64; 2]) -> [[f64; 3]; 3] {
     let [r, g, b] = [column(primaries[0]), column(primaries[1]), column(primaries[2])];
     let m = [[r[0], g[0], b[0]], [r[1], g[1], b[1]], [r[2], g[2], b[2]]];

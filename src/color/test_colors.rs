@@ -1,12 +1,12 @@
 //! X, Y, Z of the CIE 13.3 test colors under a light, and under its reference.
 //!
-//! The method reads the samples, tabulated every 5 nm, by Sprague's interpolation, and sums every nanometer: 45 sums of
-//! 471 products. The order can be turned round: the interpolation's weights spread light times color-matching function
-//! onto the nodes, once for all samples, and a sum has 99 products. The numbers are the same but for rounding, for
-//! half of the work, and 6 KB of samples in place of 28.
+//! The method reads the samples, tabulated every 5 nm, by Sprague's interpolation, and sums every nanometer:
+//! 45 sums of 471 products. The order can be turned round: the interpolation's weights spread light times
+//! color-matching function onto the nodes, once for all samples, and a sum has 99 products. The numbers are
+//! the same but for rounding, for half of the work, and 6 KB of samples in place of 28.
 //!
-//! A reference is a sum of a few spectra, so its colors are the same sum of theirs, which the compiler works out:
-//! three spectra for daylight, a Chebyshev series of ten for a black body.
+//! A reference is a sum of a few spectra, so its colors are the same sum of theirs, which the compiler works
+//! out: three spectra for daylight, a Chebyshev series of ten for a black body.
 
 use crate::light::{S0, S1, S2, daylight_factors};
 use crate::math::const_for;
@@ -76,7 +76,8 @@ fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
     nodes
 }
 
-/// The colors under the reference of this temperature: a black body below 5000 K, and CIE daylight from there.
+/// The colors under the reference of this temperature: a black body below 5000 K, and CIE daylight from
+/// there.
 pub(super) fn under_reference(cct_k: f32) -> Colors {
     if cct_k < 5000.0 {
         let mired = 1e6 / cct_k;

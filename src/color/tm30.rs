@@ -47,8 +47,8 @@ pub struct HueBin {
 /// body and daylight of equal Y.
 ///
 /// # Accuracy
-/// Rf and Rg are within 1.3e-4 of f64, over 63 lamps (`tests/color/rendering.rs`); Rg and the bins jump where a
-/// sample sits on the edge between two bins.
+/// Rf and Rg are within 1.3e-4 of f64, over 63 lamps (`tests/color/rendering.rs`); Rg and the bins jump where
+/// a sample sits on the edge between two bins.
 ///
 /// # Cost
 /// 159 KB of samples; some 600 inner products of 401 terms.

@@ -1,9 +1,9 @@
 //! Transfer functions between linear light and the code values that files and signals hold.
 //!
-//! Each function is a type, so a program contains only those that it names. `decode` goes from a code value to
-//! linear light, `encode` from linear light to a code value; 1 is white where nothing else is said. All but
-//! [`Pq`] are odd, `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN stays NaN, and no finite
-//! number becomes NaN.
+//! Each function is a type, so a program contains only those that it names. `decode` goes from a code value
+//! to linear light, `encode` from linear light to a code value; 1 is white where nothing else is said. All
+//! but [`Pq`] are odd, `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN stays NaN, and
+//! no finite number becomes NaN.
 
 #[cfg(feature = "libm")]
 use crate::math::Portable;

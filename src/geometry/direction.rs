@@ -39,8 +39,8 @@ impl Direction {
         Some(Self::scaled([x, y, z], 1.0 / sqrt(x * x + y * y + z * z)))
     }
 
-    /// From spherical coordinates: `theta_rad` from the normal (0 the zenith, pi/2 the horizon, pi the nadir) and
-    /// `phi_rad` around it from x towards y.
+    /// From spherical coordinates: `theta_rad` from the normal (0 the zenith, pi/2 the horizon, pi the nadir)
+    /// and `phi_rad` around it from x towards y.
     ///
     /// # Accuracy
     /// 4e-7 absolute for azimuths within 0..=2 pi; x and y to 4e-7 of the sine near the zenith.
@@ -157,14 +157,16 @@ impl Direction {
         Self::from_vector([self.x + other.x, self.y + other.y, self.z + other.z])
     }
 
-    /// Where light goes that comes from here and is refracted at the surface: Snell's law. For its radiance see
-    /// [`Dielectric::entering`](crate::matter::Dielectric::entering).
+    /// Where light goes that comes from here and is refracted at the surface: Snell's law. For its radiance
+    /// see [`Dielectric::entering`](crate::matter::Dielectric::entering).
     ///
-    /// `eta` is the index of the far side over that of this side. `None` where all light is reflected, and for no
-    /// index or a negative one. A glass that disperses has one direction for each wavelength: they do not average.
+    /// `eta` is the index of the far side over that of this side. `None` where all light is reflected, and
+    /// for no index or a negative one. A glass that disperses has one direction for each wavelength: they do
+    /// not average.
     ///
     /// # Accuracy
-    /// 4e-7 absolute while the refracted angle is below 45 degrees; towards grazing the direction's rounding adds.
+    /// 4e-7 absolute while the refracted angle is below 45 degrees; towards grazing the direction's rounding
+    /// adds.
     ///
     /// ```
     /// # use nanospectra::geometry::Direction;

@@ -1,10 +1,12 @@
-//! Where a surface lies in the world: from positions and normals to the directions that a BRDF takes, and back.
+//! Where a surface lies in the world: from positions and normals to the directions that a BRDF takes, and
+//! back.
 
 use crate::geometry::Direction;
 use crate::geometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 
-/// The frame of a surface in the world, right-handed: z is along the normal, x and y in the surface. Positions and
-/// vectors of the world are `[f32; 3]`; a [`Direction`] is in this frame, with its zenith at the normal.
+/// The frame of a surface in the world, right-handed: z is along the normal, x and y in the surface.
+/// Positions and vectors of the world are `[f32; 3]`; a [`Direction`] is in this frame, with its zenith at
+/// the normal.
 ///
 /// ```
 /// use nanospectra::matter::{Brdf, Conductor, Microfacet, TrowbridgeReitz};
@@ -27,7 +29,8 @@ use crate::geometry::vec3::{cross, difference, dot, scaled, to_unity, unit};
 /// ```
 ///
 /// # Accuracy
-/// Lengths and right angles of the axes to 2e-7, and so what is taken there and back (`tests/radiometry/frames.rs`).
+/// Lengths and right angles of the axes to 2e-7, and so what is taken there and back
+/// (`tests/radiometry/frames.rs`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame {
@@ -41,8 +44,8 @@ const LEAST_ANGLE: f32 = 1e-5;
 impl Frame {
     /// A frame around a normal of any length but 0; `None` for that, and for what is not finite.
     ///
-    /// How x and y are turned about the normal is arbitrary, with a seam between normals above and below z = 0. It
-    /// matters only to surfaces that are brushed or woven: see [`with_tangent`](Self::with_tangent).
+    /// How x and y are turned about the normal is arbitrary, with a seam between normals above and below z =
+    /// 0. It matters only to surfaces that are brushed or woven: see [`with_tangent`](Self::with_tangent).
     ///
     /// # Reference
     /// T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
@@ -62,8 +65,9 @@ impl Frame {
         Self::around(normal, [1.0 + sign * (x * a), sign * (y * a), -sign * x])
     }
 
-    /// A frame around a normal with x along what a tangent has in the surface: the way a metal is brushed. `None` if
-    /// one of them has no length or is not finite, or where the tangent is along the normal (within 1e-5 rad).
+    /// A frame around a normal with x along what a tangent has in the surface: the way a metal is brushed.
+    /// `None` if one of them has no length or is not finite, or where the tangent is along the normal (within
+    /// 1e-5 rad).
     ///
     /// ```
     /// # use nanospectra::geometry::Frame;
@@ -77,12 +81,13 @@ impl Frame {
         if dot(leaning, leaning) < LEAST_ANGLE * LEAST_ANGLE {
             return None;
         }
-        // What rounding left along the normal grows as a short remainder is brought to length 1: hence once more.
+        // What rounding left along the normal grows as a short remainder is brought to length 1: hence once
+        // more.
         Self::around(normal, axis(leaning)?)
     }
 
-    /// From a normal of length 1 and a tangent that is nearly at right angles to it. (Without this last step a normal
-    /// whose length is 1e-7 off would be 3e-7 off the right angle.)
+    /// From a normal of length 1 and a tangent that is nearly at right angles to it. (Without this last step
+    /// a normal whose length is 1e-7 off would be 3e-7 off the right angle.)
     fn around(normal: [f32; 3], tangent: [f32; 3]) -> Option<Self> {
         let tangent = axis(within(normal, tangent))?;
         Some(Frame { axes: [tangent, axis(cross(normal, tangent))?, normal] })
@@ -94,14 +99,16 @@ impl Frame {
         self.axes
     }
 
-    /// The direction of a vector of the world, of any length but 0; `None` for no length, and for what is not finite.
+    /// The direction of a vector of the world, of any length but 0; `None` for no length, and for what is not
+    /// finite.
     #[must_use]
     pub fn to_local(self, vector: [f32; 3]) -> Option<Direction> {
         let vector = scaled(vector, to_unity(vector));
         Direction::from_vector(self.axes.map(|axis| dot(axis, vector)))
     }
 
-    /// The direction in which a target is seen from a point, both in m in the world; `None` where they are one place.
+    /// The direction in which a target is seen from a point, both in m in the world; `None` where they are
+    /// one place.
     #[must_use]
     pub fn towards(self, point_m: [f32; 3], target_m: [f32; 3]) -> Option<Direction> {
         let k = to_unity(point_m.into_iter().chain(target_m));

@@ -16,8 +16,8 @@ pub struct Node {
     pub projected_sr: f32,
 }
 
-/// A rule that divides the hemisphere into pieces, as [`Uniform`], [`Cosine`] and [`GaussLegendre`] do into `MU` rings
-/// of `PHI` pieces at equal azimuths. None of them has a node on the horizon or the zenith.
+/// A rule that divides the hemisphere into pieces, as [`Uniform`], [`Cosine`] and [`GaussLegendre`] do into
+/// `MU` rings of `PHI` pieces at equal azimuths. None of them has a node on the horizon or the zenith.
 ///
 /// ```
 /// # use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere};
@@ -38,7 +38,8 @@ pub trait Hemisphere {
         total.sum
     }
 
-    /// The integral of `f` over projected solid angle, that is of `f` times the cosine: irradiance from radiance.
+    /// The integral of `f` over projected solid angle, that is of `f` times the cosine: irradiance from
+    /// radiance.
     fn integrate_projected<V: Integrand>(&self, mut f: impl FnMut(Direction) -> V) -> V {
         let mut total = Total::new();
         self.nodes().for_each(|node| total.add(f(node.direction) * node.projected_sr));
@@ -57,9 +58,9 @@ pub struct Cosine<const MU: usize, const PHI: usize>;
 /// Gauss's nodes in the cosine of the zenith angle, equal azimuths: the rule for what is smooth.
 ///
 /// # Accuracy
-/// 8 rings integrate Fresnel's reflectance of glass to 2e-8 (`tests/matter/hard_cases_surfaces.rs`), and rough
-/// microfacets (alpha from 0.5, up to 70 degrees from the normal) to 4e-4 with 8 x 32 nodes. Not for gloss: at
-/// alpha = 0.05 even 32 x 32 nodes can miss three quarters.
+/// 8 rings integrate Fresnel's reflectance of glass to 2e-8 (`tests/matter/hard_cases_surfaces.rs`), and
+/// rough microfacets (alpha from 0.5, up to 70 degrees from the normal) to 4e-4 with 8 x 32 nodes. Not for
+/// gloss: at alpha = 0.05 even 32 x 32 nodes can miss three quarters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GaussLegendre<const MU: usize, const PHI: usize>;
 

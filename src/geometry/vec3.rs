@@ -30,8 +30,9 @@ pub(crate) fn length(a: [f32; 3]) -> f32 {
     sqrt(dot(a, a))
 }
 
-/// The power of two that brings the largest of some lengths to 1 or a little above (near f32's ends to between 2^-22
-/// and 4): products of three or four of them then neither overflow nor vanish, and no digit is lost.
+/// The power of two that brings the largest of some lengths to 1 or a little above (near f32's ends to
+/// between 2^-22 and 4): products of three or four of them then neither overflow nor vanish, and no digit is
+/// lost.
 pub(crate) fn to_unity(lengths: impl IntoIterator<Item = f32>) -> f32 {
     let exponent = lengths.into_iter().fold(0, |largest: u32, x| largest.max(x.to_bits() << 1 >> 24));
     f32::from_bits(254_u32.saturating_sub(exponent).max(1) << 23)

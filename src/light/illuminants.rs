@@ -8,11 +8,12 @@
 use crate::grid::Nodes;
 use crate::spectrum::{Fine, Interpolation, Power, Spectrum};
 
-/// Makes the lists of names, [`named`] and [`interpolated`] from the list that the build script writes beside the tables.
+/// Makes the lists of names, [`named`] and [`interpolated`] from the list that the build script writes beside
+/// the tables.
 macro_rules! by_name {
     ($brief:literal; $($name:literal => $table:ident,)*) => {
-        /// The names of all illuminants that [`named`] knows, `"E"` for equal energy first. Those that end in `_1NM`
-        /// are the CIE's second tables of the same lamps, every nanometer.
+        /// The names of all illuminants that [`named`] knows, `"E"` for equal energy first. Those that end in
+        /// `_1NM` are the CIE's second tables of the same lamps, every nanometer.
         ///
         /// ```
         /// # use nanospectra::light;

@@ -44,8 +44,8 @@ impl Complex {
         Complex { re: re / square / size, im: -im / square / size }
     }
 
-    /// The root with a real and an imaginary part of zero or more, of a number whose imaginary part is; without
-    /// cancellation.
+    /// The root with a real and an imaginary part of zero or more, of a number whose imaginary part is;
+    /// without cancellation.
     pub(crate) fn sqrt(self) -> Self {
         let size = self.re.abs().max(self.im.abs());
         if size == 0.0 {

@@ -1,5 +1,5 @@
-//! Numbers of 48 bits as the sum of two f32: for the phase of light in a film of 400 000 wavelengths, of which only
-//! the fraction of a turn is seen.
+//! Numbers of 48 bits as the sum of two f32: for the phase of light in a film of 400 000 wavelengths, of
+//! which only the fraction of a turn is seen.
 
 use crate::math::sqrt;
 use crate::math::turns::fraction;
@@ -23,7 +23,8 @@ impl Double {
         Double { high, low: (a - (high - part)) + (b - part) }
     }
 
-    /// The product of two f32 without loss (Dekker, with halves of 12 bits cut by a mask, which cannot overflow).
+    /// The product of two f32 without loss (Dekker, with halves of 12 bits cut by a mask, which cannot
+    /// overflow).
     pub(crate) const fn product(a: f32, b: f32) -> Self {
         let high = a * b;
         let ([a1, a2], [b1, b2]) = (halves(a), halves(b));

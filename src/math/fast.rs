@@ -7,18 +7,18 @@ use core::f32::consts::{FRAC_PI_2, LN_2, LOG2_E, PI};
 /// bits on every target.
 ///
 /// # Accuracy
-/// Relative, for every f32 of the domain (`tests/spectrum/every_f32.rs`): the square root half a unit in the last place,
-/// the cube root 1.45e-7, exp 9e-8, expm1 and ln 1.2e-7, atan2 1.6e-7, sine and cosine 1.7e-7 absolute. powf: 2e-7
-/// for an exponent of 2.4, 1.3e-7 for 1/2.4, and 4.5e-7 up to 10.
+/// Relative, for every f32 of the domain (`tests/spectrum/every_f32.rs`): the square root half a unit in the
+/// last place, the cube root 1.45e-7, exp 9e-8, expm1 and ln 1.2e-7, atan2 1.6e-7, sine and cosine 1.7e-7
+/// absolute. powf: 2e-7 for an exponent of 2.4, 1.3e-7 for 1/2.4, and 4.5e-7 up to 10.
 ///
 /// # Cost
-/// Instructions on a Cortex-M4F: the square root 5, the cube root 26, exp 33, expm1 35, ln 30, powf 76, atan2 58,
-/// cosine 32, sine 46 (`examples/firmware/src/bin/backends.rs`).
+/// Instructions on a Cortex-M4F: the square root 5, the cube root 26, exp 33, expm1 35, ln 30, powf 76, atan2
+/// 58, cosine 32, sine 46 (`examples/firmware/src/bin/backends.rs`).
 ///
 /// # Domain
 /// NaN gives NaN, except `powf(NaN, 0)`, which is 1 as everywhere. Overflow gives infinity, underflow what a
-/// subnormal can hold, then 0. `ln(0)` is -inf, `ln` and `powf` of a negative number are NaN. `atan2` tells the
-/// zeros apart as IEEE 754 does. Three ends are left open for speed: the cube root of an infinity is NaN,
+/// subnormal can hold, then 0. `ln(0)` is -inf, `ln` and `powf` of a negative number are NaN. `atan2` tells
+/// the zeros apart as IEEE 754 does. Three ends are left open for speed: the cube root of an infinity is NaN,
 /// those of subnormals are within 2.3e-13 absolute only, and `powf` wants a finite exponent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fast;

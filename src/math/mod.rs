@@ -1,9 +1,9 @@
 //! The elementary functions, as a type parameter.
 //!
-//! Two backends must fit in one program (to be compared, or because one step needs digits
-//! and another speed), so a backend is a type and not a feature: [`Portable`] is what every
-//! short name uses, and leaf functions have a `_with::<M>` form. [`Fast`] is always there, in own f32 kernels of
-//! half the instructions; features only make more backends available, and no feature changes a number.
+//! Two backends must fit in one program (to be compared, or because one step needs digits and another speed),
+//! so a backend is a type and not a feature: [`Portable`] is what every short name uses, and leaf functions
+//! have a `_with::<M>` form. [`Fast`] is always there, in own f32 kernels of half the instructions; features
+//! only make more backends available, and no feature changes a number.
 
 mod backend;
 mod complex;

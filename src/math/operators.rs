@@ -67,7 +67,8 @@ macro_rules! assigning_operator {
 }
 pub(crate) use assigning_operator;
 
-/// What numbers of one kind can do: `+ -`, times and over plain numbers, unary minus, the assigning forms, and sums.
+/// What numbers of one kind can do: `+ -`, times and over plain numbers, unary minus, the assigning forms,
+/// and sums.
 macro_rules! linear_operators {
     ([$($of:tt)*] $type:ty, $zero:expr;
      |$x:ident, $y:ident| $add:block $sub:block $times:block $over:block $minus:block) => {

@@ -31,9 +31,9 @@ fn quickest_sqrt(x: f32) -> f32 {
 /// `tests/spectrum/every_f32.rs`).
 ///
 /// # Cost
-/// The core's own instruction on an Arm microcontroller with FPU, in WebAssembly with simd128 and, with the feature
-/// `libm`, on x86-64. Elsewhere `libm::sqrtf` with that feature, and the root digit by digit without it and in
-/// WebAssembly without vectors. All of them are correctly rounded, and so the same number.
+/// The core's own instruction on an Arm microcontroller with FPU, in WebAssembly with simd128 and, with the
+/// feature `libm`, on x86-64. Elsewhere `libm::sqrtf` with that feature, and the root digit by digit without
+/// it and in WebAssembly without vectors. All of them are correctly rounded, and so the same number.
 #[must_use]
 #[inline]
 pub fn sqrt(x: f32) -> f32 {
@@ -119,8 +119,8 @@ pub fn cbrt(x: f32) -> f32 {
 mod tests {
     extern crate std;
 
-    /// Two binades at a stride (any other root is one of theirs with another exponent), and all sizes at a larger
-    /// one.
+    /// Two binades at a stride (any other root is one of theirs with another exponent), and all sizes at a
+    /// larger one.
     #[test]
     fn the_root_by_digits_is_the_hardwares() {
         let binades = (1.0f32.to_bits()..=4.0f32.to_bits()).step_by(5);

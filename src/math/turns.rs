@@ -22,9 +22,9 @@ pub const fn sin(turns: f32) -> f32 {
     quarter_sine(fold.copysign(if size < 0.5 { part } else { turns }))
 }
 
-/// sin(2 pi t) for |t| <= 1/4: the Taylor series in t, which at a quarter turn is off by 7e-10. Its first three
-/// coefficients are a unit in the last place or so off their values, where the roundings then meet best: 1.6e-7
-/// and not 2.2e-7.
+/// sin(2 pi t) for |t| <= 1/4: the Taylor series in t, which at a quarter turn is off by 7e-10. Its first
+/// three coefficients are a unit in the last place or so off their values, where the roundings then meet
+/// best: 1.6e-7 and not 2.2e-7.
 const fn quarter_sine(t: f32) -> f32 {
     let s = t * t;
     let series = 42.058_693 - s * (15.094_643 - s * 3.819_952_6);

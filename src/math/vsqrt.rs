@@ -7,8 +7,8 @@ use core::arch::asm;
 #[inline]
 pub(super) fn sqrt(x: f32) -> f32 {
     let mut bits = x.to_bits();
-    // SAFETY: every target with the ABI `eabihf` has the FPU; s0 is declared as overwritten. (Stable Rust takes
-    // an FPU register as a clobber but not as an operand, hence by way of a core register.)
+    // SAFETY: every target with the ABI `eabihf` has the FPU; s0 is declared as overwritten. (Stable Rust
+    // takes an FPU register as a clobber but not as an operand, hence by way of a core register.)
     unsafe {
         asm!(
             "vmov s0, {0}",

@@ -6,11 +6,12 @@ use crate::spectrum::{Factor, Power, Spectrum};
 use crate::sum::rows;
 use core::array::from_ref;
 
-/// Matter that moves light from one bin to another, which a factor for each bin cannot express. What leaves it counts
-/// as unpolarized.
+/// Matter that moves light from one bin to another, which a factor for each bin cannot express. What leaves
+/// it counts as unpolarized.
 ///
-/// [`Dye`](crate::matter::Dye), [`Donaldson`](crate::matter::Donaldson) and [`Phosphor`](crate::matter::Phosphor)
-/// stand in a [path](crate::path) by themselves, an effect of your own does in [`Own`](crate::path::Own):
+/// [`Dye`](crate::matter::Dye), [`Donaldson`](crate::matter::Donaldson) and
+/// [`Phosphor`](crate::matter::Phosphor) stand in a [path](crate::path) by themselves, an effect of your own
+/// does in [`Own`](crate::path::Own):
 ///
 /// ```
 /// use nanospectra::matter::{Dye, Effect};
@@ -47,9 +48,10 @@ pub trait Effect<const N: usize, G = Bins<380, 730>> {
     fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G>;
 }
 
-/// An [`Effect`] that emits one spectrum, however it was excited: what leaves each bin needs the light of that bin and
-/// one number, the glow. So a path works out a [`Dye`](crate::matter::Dye) and a [`Phosphor`](crate::matter::Phosphor)
-/// bin by bin; an effect of your own needs no more than [`Effect`], and is worked out in all bins at once.
+/// An [`Effect`] that emits one spectrum, however it was excited: what leaves each bin needs the light of
+/// that bin and one number, the glow. So a path works out a [`Dye`](crate::matter::Dye) and a
+/// [`Phosphor`](crate::matter::Phosphor) bin by bin; an effect of your own needs no more than [`Effect`], and
+/// is worked out in all bins at once.
 pub trait Glows<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// The factor by which the emission is multiplied, under this light.
     fn glow_in(&self, light: &Spectrum<Power, N, G>) -> f32;
@@ -72,21 +74,23 @@ pub(super) fn glowing<const N: usize, G>(
     leaving
 }
 
-/// An [`Effect`] that is linear in the light (twice the light makes twice as much leave, and none makes none), so that
-/// it folds into the eye that looks at it: by [`Observer::looking_at_matter`](crate::Observer::looking_at_matter), and
-/// in a [`Scene`](crate::path::Scene).
+/// An [`Effect`] that is linear in the light (twice the light makes twice as much leave, and none makes
+/// none), so that it folds into the eye that looks at it: by
+/// [`Observer::looking_at_matter`](crate::Observer::looking_at_matter), and in a
+/// [`Scene`](crate::path::Scene).
 ///
-/// `impl Foldable<31> for Ink {}` is enough: all functions follow from [`Effect::leaving`]. Write those that your
-/// matter has a shorter way for.
+/// `impl Foldable<31> for Ink {}` is enough: all functions follow from [`Effect::leaving`]. Write those that
+/// your matter has a shorter way for.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not fold into an eye of {N} bins of `{G}`",
     label = "not known to be linear in the light",
     note = "if twice the light makes twice as much leave, write `impl Foldable<{N}, {G}> for ..` beside its `Effect`"
 )]
 pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
-    /// The weights that light has before it meets the matter, for an eye that gives these weights to what leaves: the
-    /// transpose of [`leaving`](Effect::leaving). As it stands it asks what leaves of light in one bin after the other,
-    /// at `N` times the cost; it is meaningless for matter that is not linear, and NaN where that is.
+    /// The weights that light has before it meets the matter, for an eye that gives these weights to what
+    /// leaves: the transpose of [`leaving`](Effect::leaving). As it stands it asks what leaves of light in
+    /// one bin after the other, at `N` times the cost; it is meaningless for matter that is not linear, and
+    /// NaN where that is.
     fn transposed(&self, weights: &[f32; N]) -> [f32; N] {
         let mut before = [0.0; N];
         for (k, before) in before.iter_mut().enumerate() {
@@ -95,7 +99,8 @@ pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
         before
     }
 
-    /// What remains of it if its effect is left out: as it stands the share of each bin's light that leaves in that bin.
+    /// What remains of it if its effect is left out: as it stands the share of each bin's light that leaves
+    /// in that bin.
     fn without_effect(&self) -> Spectrum<Factor, N, G> {
         let mut shares = [0.0; N];
         for (k, share) in shares.iter_mut().enumerate() {
@@ -109,9 +114,9 @@ pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
         "effect"
     }
 
-    /// What [`leaving`](Effect::leaving) costs, for [bills](crate::path::Scene::bill): as it stands an estimate, the
-    /// work of a full matrix and the size of the value. If your matter is [`Priced`](crate::path::Priced), return its
-    /// `PRICE`.
+    /// What [`leaving`](Effect::leaving) costs, for [bills](crate::path::Scene::bill): as it stands an
+    /// estimate, the work of a full matrix and the size of the value. If your matter is
+    /// [`Priced`](crate::path::Priced), return its `PRICE`.
     fn price(&self) -> Price {
         Price { effects: Effects::FLUORESCENCE, multiply_adds: N * N, bytes: size_of_val(self) }
     }

@@ -1,6 +1,6 @@
 //! What light meets, and what leaves: surfaces that reflect and refract, and their BRDFs; thin films; volumes
-//! that absorb and scatter; matter that fluoresces, glows on or polarizes; and the reflectances that color rendering
-//! is judged by.
+//! that absorb and scatter; matter that fluoresces, glows on or polarizes; and the reflectances that color
+//! rendering is judged by.
 
 mod effect;
 mod film;

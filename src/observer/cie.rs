@@ -77,12 +77,13 @@ impl<const N: usize, G: Grid> StandardObserver<N> for G {
 }
 
 impl<const N: usize, G: StandardObserver<N>> Observer<3, N, Power, G> {
-    /// The CIE 1931 standard observer, under one name for spectra and for RGB; Y = 100 for the constant spectrum 1 and
-    /// for [`Light::from_rgb`](crate::Spectrum::from_rgb) of white.
+    /// The CIE 1931 standard observer, under one name for spectra and for RGB; Y = 100 for the constant
+    /// spectrum 1 and for [`Light::from_rgb`](crate::Spectrum::from_rgb) of white.
     ///
-    /// On a grid it is [`CIE_1931`] folded by [`Curve::Step`], for relative lights. (For lights in W, or a fold that is
-    /// better for surfaces, fold [`CIE_1931`] yourself.) Of [`RgbBands`](crate::color::RgbBands) it is the matrix of the
-    /// space: exact for the color of a light, and for products of colors as far off as `RgbBands` says.
+    /// On a grid it is [`CIE_1931`] folded by [`Curve::Step`], for relative lights. (For lights in W, or a
+    /// fold that is better for surfaces, fold [`CIE_1931`] yourself.) Of [`RgbBands`](crate::color::RgbBands)
+    /// it is the matrix of the space: exact for the color of a light, and for products of colors as far off
+    /// as `RgbBands` says.
     ///
     /// ```
     /// # use nanospectra::color::{RgbBands, Srgb};

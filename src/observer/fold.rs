@@ -27,10 +27,10 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
     /// Folds a fine observer (1 nm) into `M` bins of the grid `H`.
     ///
     /// What the fine grid has outside `H` goes to the end bins, so nothing of a light that is folded in is
-    /// lost, and a spectrum to be seen counts as held beyond its ends. For an eye on 380..730 nm that is next to
-    /// nothing; a silicon sensor reaches 1000 nm: fold it to a grid that covers what it sees.
-    /// Meant for `const` evaluation: 6 to 14 thousand steps for three rows; it computes in f64
-    /// and rounds each weight once.
+    /// lost, and a spectrum to be seen counts as held beyond its ends. For an eye on 380..730 nm that is next
+    /// to nothing; a silicon sensor reaches 1000 nm: fold it to a grid that covers what it sees. Meant for
+    /// `const` evaluation: 6 to 14 thousand steps for three rows; it computes in f64 and rounds each weight
+    /// once.
     ///
     /// # Accuracy
     /// The response to a constant is that of the fine observer within 4e-7 at every `M`. With

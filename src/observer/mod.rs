@@ -1,4 +1,5 @@
-//! What looks at the light: rows of weights, the fold that makes them small, and [`Stimulus`]: what they can look at.
+//! What looks at the light: rows of weights, the fold that makes them small, and [`Stimulus`]: what they can
+//! look at.
 
 mod cie;
 mod fold;

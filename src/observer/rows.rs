@@ -73,8 +73,8 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Bands> Observer<C, N, Q, G>
         &self.0
     }
 
-    /// Every weight times `k`: from W to lm with [`KM`](crate::observer::KM), to another unit. Computes in f64:
-    /// for `const` use, as [`mixed`](Self::mixed) and [`with_white_y`](Observer::with_white_y).
+    /// Every weight times `k`: from W to lm with [`KM`](crate::observer::KM), to another unit. Computes in
+    /// f64: for `const` use, as [`mixed`](Self::mixed) and [`with_white_y`](Observer::with_white_y).
     #[must_use]
     pub const fn scaled(&self, k: f64) -> Self {
         let mut weights = self.0;
@@ -118,7 +118,8 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
     /// 4 units of 2^-24 of the sum of the terms' sizes, in up to 471 bins, and the same bits on every target.
     ///
     /// # Cost
-    /// `C * N` multiplications and additions; 16 bands to XYZ are 162 instructions on a Cortex-M4F (253 at opt-level "s").
+    /// `C * N` multiplications and additions; 16 bands to XYZ are 162 instructions on a Cortex-M4F (253 at
+    /// opt-level "s").
     #[must_use]
     #[inline]
     pub fn sees<S: Stimulus<Q, N, G>>(&self, stimulus: S) -> [f32; C] {

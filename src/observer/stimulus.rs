@@ -2,8 +2,8 @@
 
 use crate::spectrum::Spectrum;
 
-/// What an observer of the quantity `Q` in `N` bins of the grid `G` can look at: a spectrum, or light on its way along
-/// a [path](crate::path).
+/// What an observer of the quantity `Q` in `N` bins of the grid `G` can look at: a spectrum, or light on its
+/// way along a [path](crate::path).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no stimulus of `{Q}` in {N} bins of `{G}`",
     label = "not what is read here",

@@ -9,7 +9,8 @@ use crate::path::{
 use crate::spectrum::{Power, Spectrum};
 use core::marker::PhantomData;
 
-/// Light that can make matter glow: power on the grid of the matter. What leaves the matter counts as unpolarized.
+/// Light that can make matter glow: power on the grid of the matter. What leaves the matter counts as
+/// unpolarized.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot make matter fluoresce",
     label = "no light of `Power` in {N} bins of `{G}`",
@@ -80,7 +81,8 @@ impl<L: Stimulus<Power, N, G>, M: Glows<N, G>, const N: usize, G> Stimulus<Power
     }
 }
 
-/// Light `L` after matter `M` that moves it between bins. All bins are worked out at once, since each needs all of `L`.
+/// Light `L` after matter `M` that moves it between bins. All bins are worked out at once, since each needs
+/// all of `L`.
 pub struct Affected<L, M, const N: usize, G> {
     light: Spectrum<Power, N, G>,
     from: PhantomData<(L, M)>,
@@ -112,8 +114,8 @@ impl<L, M, const N: usize, G> Stimulus<Power, N, G> for Affected<L, M, N, G> {
     }
 }
 
-/// An [`Effect`] of your own as a part of a path, for light to fall on or to go through: `sun.onto(Own::new(&ink))`. If
-/// the matter has a price ([`Priced`]), the path has one.
+/// An [`Effect`] of your own as a part of a path, for light to fall on or to go through:
+/// `sun.onto(Own::new(&ink))`. If the matter has a price ([`Priced`]), the path has one.
 #[derive(Debug)]
 pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(pub(super) &'m M, PhantomData<G>);
 
@@ -142,7 +144,8 @@ impl<'m, L: Excites<N, G>, M: Effect<N, G> + ?Sized, const N: usize, G> Surface<
     }
 }
 
-/// Plain light only: what clear matter leaves of the polarization of light that goes through it is not in its numbers.
+/// Plain light only: what clear matter leaves of the polarization of light that goes through it is not in its
+/// numbers.
 impl<'m, Q, P, M: Effect<N, G> + ?Sized, const N: usize, G> Filter<Plain<Q, P>> for Own<'m, M, N, G>
 where
     Plain<Q, P>: Excites<N, G>,
@@ -155,8 +158,8 @@ where
     }
 }
 
-/// Matter of this crate stands in a path by itself. (Were it implemented for all `&M`, the compiler's messages about
-/// spectra would no longer name grids.)
+/// Matter of this crate stands in a path by itself. (Were it implemented for all `&M`, the compiler's
+/// messages about spectra would no longer name grids.)
 macro_rules! by_themselves {
     ($([$($generics:tt)*] $matter:ty => $leaving:ident $(, $more:ident)*;)*) => {$(
         impl<'m, L: Excites<N, G>, $($generics)*> Surface<L> for &'m $matter {

@@ -4,8 +4,8 @@ use crate::observer::Stimulus;
 use crate::path::{Plain, Times};
 use crate::spectrum::{Factor, Spectrum};
 
-/// What light can fall on: spectra of [`Factor`] (a reflectance), [`Mirror`](crate::matter::Mirror)s and every
-/// [`Effect`](crate::matter::Effect).
+/// What light can fall on: spectra of [`Factor`] (a reflectance), [`Mirror`](crate::matter::Mirror)s and
+/// every [`Effect`](crate::matter::Effect).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no surface that `{L}` can fall on",
     label = "no surface for this light",

@@ -11,20 +11,24 @@
 //! assert!((xyz[1] - 0.4 * EYE.sees(&sun)[1]).abs() < 1e-4);
 //! ```
 //!
-//! The stages are references, and nothing is computed until an observer looks: then one pass over the bins evaluates
-//! the whole path. An effect that is not written costs nothing.
+//! The stages are references, and nothing is computed until an observer looks: then one pass over the bins
+//! evaluates the whole path. An effect that is not written costs nothing.
 //!
-//! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor) dim
-//!   it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix, a
-//!   [`Phosphor`](crate::matter::Phosphor) or an [`Effect`](crate::matter::Effect) of your own moves it between bins.
-//! * [`Stokes`] light, from `polarized()` on, has four numbers for each bin, which [`Mirror`](crate::matter::Mirror)s,
-//!   [`Polarizer`](crate::matter::Polarizer)s and [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes
-//!   it plain again; so does `ignoring_polarization()`, for an eye or by choice.
-//! * In place of a grid [`RgbBands`](crate::color::RgbBands) are three bands: cheap, and off by what they say.
-//! * A [`Scene`] is a path that is put together at run time. It says what its parts cost and which of them hardly show.
+//! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor)
+//!   dim it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix, a
+//!   [`Phosphor`](crate::matter::Phosphor) or an [`Effect`](crate::matter::Effect) of your own moves it
+//!   between bins.
+//! * [`Stokes`] light, from `polarized()` on, has four numbers for each bin, which
+//!   [`Mirror`](crate::matter::Mirror)s, [`Polarizer`](crate::matter::Polarizer)s and
+//!   [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes it plain again; so does
+//!   `ignoring_polarization()`, for an eye or by choice.
+//! * In place of a grid [`RgbBands`](crate::color::RgbBands) are three bands: cheap, and off by what they
+//!   say.
+//! * A [`Scene`] is a path that is put together at run time. It says what its parts cost and which of them
+//!   hardly show.
 //!
-//! The price of a path is known while compiling ([`Priced`]). A path that stays the same folds into the eye in `const
-//! fn`, from the eye backwards; then looking along it costs no more than looking at a lamp:
+//! The price of a path is known while compiling ([`Priced`]). A path that stays the same folds into the eye
+//! in `const fn`, from the eye backwards; then looking along it costs no more than looking at a lamp:
 //!
 //! ```
 //! use nanospectra::matter::{Dye, Mirror, Polarizer};
@@ -55,8 +59,9 @@
 //! assert!((folded - walked).abs() < 4e-7 * walked);
 //! ```
 //!
-//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime), [`Nonlinearity`](crate::sensor::Nonlinearity)), saturates or is
-//! noisy comes after the eye and is no part of a path: there linearity ends.
+//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime),
+//! [`Nonlinearity`](crate::sensor::Nonlinearity)), saturates or is noisy comes after the eye and is no part
+//! of a path: there linearity ends.
 //!
 //! # What does not compile
 //!

@@ -26,7 +26,8 @@ macro_rules! on_its_way {
                 filter.transmit(self)
             }
 
-            /// What a surface sends back of this light: polarized light off a mirror, plain light off a matt surface.
+            /// What a surface sends back of this light: polarized light off a mirror, plain light off a matt
+            /// surface.
             #[must_use]
             #[inline]
             pub fn onto<S: Surface<Self>>(self, surface: S) -> S::Leaving {
@@ -42,8 +43,8 @@ macro_rules! on_its_way {
                 P::PRICE
             }
 
-            /// This path, if it takes at most `MULTIPLY_ADDS` multiplications; a longer one does not compile (it is
-            /// `cargo build` that says so, and `cargo check` does not).
+            /// This path, if it takes at most `MULTIPLY_ADDS` multiplications; a longer one does not compile
+            /// (it is `cargo build` that says so, and `cargo check` does not).
             ///
             /// ```
             /// # use nanospectra::{Light, Reflectance};

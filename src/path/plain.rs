@@ -32,8 +32,8 @@ impl<Q, L: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Times<L, 
 
 /// Light on its way: the quantity `Q`, by way of the stages in `P`. Nothing is worked out before it is read.
 ///
-/// `Q` is [`Power`] for a path that starts with a light, and `Factor` for one that starts with a reflectance, which is
-/// for an eye that has the light folded in.
+/// `Q` is [`Power`] for a path that starts with a light, and `Factor` for one that starts with a reflectance,
+/// which is for an eye that has the light folded in.
 #[derive(Clone, Copy, Debug)]
 pub struct Plain<Q, P>(P, PhantomData<Q>);
 

@@ -49,21 +49,24 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
     }
 }
 
-/// Light on its way as Stokes vectors (I, Q, U, V) in the unit of the light, by way of the stages in `P`. Nothing is
-/// worked out before it is read.
+/// Light on its way as Stokes vectors (I, Q, U, V) in the unit of the light, by way of the stages in `P`.
+/// Nothing is worked out before it is read.
 ///
-/// Directions across the beam are angles from a reference direction that the user chooses, counterclockwise for who
-/// looks at the source. The path is *unfolded*: what follows a mirror is named as it is seen in that mirror. Q > 0
-/// along the reference, U > 0 at 45 degrees. So a mirror met at right angles only dims all four.
+/// Directions across the beam are angles from a reference direction that the user chooses, counterclockwise
+/// for who looks at the source. The path is *unfolded*: what follows a mirror is named as it is seen in that
+/// mirror. Q > 0 along the reference, U > 0 at 45 degrees. So a mirror met at right angles only dims all
+/// four.
 ///
 /// # Accuracy
-/// 3e-7 of the light that meets it, for each element; I is at least the root of Q^2 + U^2 + V^2 to within that
-/// (`tests/matter/polarization.rs`). Next to extinction, where a difference is left, that is more of what is left.
+/// 3e-7 of the light that meets it, for each element; I is at least the root of Q^2 + U^2 + V^2 to within
+/// that (`tests/matter/polarization.rs`). Next to extinction, where a difference is left, that is more of
+/// what is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Stokes<P>(P);
 
 impl<P> Stokes<P> {
-    /// The intensity alone, as an eye or a sensor reads it. What comes after this treats the light as unpolarized.
+    /// The intensity alone, as an eye or a sensor reads it. What comes after this treats the light as
+    /// unpolarized.
     #[must_use]
     #[inline]
     pub fn ignoring_polarization(self) -> Plain<Power, IgnoringPolarization<P>> {
@@ -165,7 +168,8 @@ impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Turned<L, &Mue
     }
 }
 
-/// What can be done with an element of a Mueller matrix: light falls on it or goes through it, and a scene holds it.
+/// What can be done with an element of a Mueller matrix: light falls on it or goes through it, and a scene
+/// holds it.
 macro_rules! elements {
     ($($element:ident, $name:literal: $kind:ident by $function:ident;)*) => {$(
         impl<'m, L: Polarized<N, G>, const N: usize, G> $kind<L> for &'m $element<N, G> {

@@ -3,8 +3,8 @@
 use crate::geometry::vec3::{dot, scaled, to_unity};
 use crate::radiometry::{Carried, Radiance};
 
-/// The radiance at a point of a surface, a function of the direction in which the light travels. It is
-/// not continuous there, and so has two limits: from above (the side to which the normal points) and from below.
+/// The radiance at a point of a surface, a function of the direction in which the light travels. It is not
+/// continuous there, and so has two limits: from above (the side to which the normal points) and from below.
 ///
 /// Light that travels away from a side leaves it, light that travels towards it arrives; which limit counts
 /// is thus decided by the side of the normal on which the direction lies. Directions, always away from the
@@ -34,8 +34,8 @@ pub struct SurfaceRadiance<A, B> {
 }
 
 impl<A: Clone> SurfaceRadiance<A, A> {
-    /// An imagined surface in free space, where radiance is continuous and both limits are one. What leaves in a
-    /// direction is then what arrives from the opposite one: Lo(p, w) = Li(p, -w).
+    /// An imagined surface in free space, where radiance is continuous and both limits are one. What leaves
+    /// in a direction is then what arrives from the opposite one: Lo(p, w) = Li(p, -w).
     #[must_use]
     pub fn free_space(normal: [f32; 3], radiance: A) -> Self {
         SurfaceRadiance { normal, above: radiance.clone(), below: radiance }
@@ -43,8 +43,8 @@ impl<A: Clone> SurfaceRadiance<A, A> {
 }
 
 impl<A, B> SurfaceRadiance<A, B> {
-    /// Li(p, w): the radiance that arrives from the direction `wi`, on the side of the surface where `wi` lies.
-    /// Along the surface nothing arrives.
+    /// Li(p, w): the radiance that arrives from the direction `wi`, on the side of the surface where `wi`
+    /// lies. Along the surface nothing arrives.
     #[must_use]
     pub fn incident<V: Carried>(&self, wi: [f32; 3]) -> Radiance<V>
     where
@@ -54,8 +54,8 @@ impl<A, B> SurfaceRadiance<A, B> {
         self.on_the_side_of(wi, scaled(wi, -1.0))
     }
 
-    /// Lo(p, w): the radiance that leaves in the direction `wo`, from the side of the surface where `wo` lies.
-    /// Along the surface nothing leaves.
+    /// Lo(p, w): the radiance that leaves in the direction `wo`, from the side of the surface where `wo`
+    /// lies. Along the surface nothing leaves.
     #[must_use]
     pub fn exitant<V: Carried>(&self, wo: [f32; 3]) -> Radiance<V>
     where

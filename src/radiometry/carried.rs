@@ -7,8 +7,8 @@ use crate::spectrum::Light;
 use core::fmt;
 use core::ops::{Neg, Sub};
 
-/// What [`Flux`](crate::radiometry::Flux) and its relatives can carry: [`Radiant`], [`Luminous`] or [`Scotopic`]
-/// numbers, or a whole spectrum, [`Light`].
+/// What [`Flux`](crate::radiometry::Flux) and its relatives can carry: [`Radiant`], [`Luminous`] or
+/// [`Scotopic`] numbers, or a whole spectrum, [`Light`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is nothing that a flux carries",
     note = "use `Radiant`, `Luminous`, `Scotopic`, or `Light<N, G>` for a spectrum or an RGB"

@@ -1,4 +1,5 @@
-//! A small piece of a surface as a piece of the directions: integrals over directions become integrals over area.
+//! A small piece of a surface as a piece of the directions: integrals over directions become integrals over
+//! area.
 
 use crate::geometry::vec3::{difference, dot, scaled, to_unity, unit};
 use crate::radiometry::carried::{finite, ratio};
@@ -28,8 +29,9 @@ impl SurfaceElement {
     /// The direction from a point to it (a unit vector), and the solid angle in sr that it takes up there:
     /// dw = dA cos / r^2. Behind it 0; the element's own place has no direction, and there both are 0.
     ///
-    /// Exact for a piece that is small against its distance: an integral over directions, sum of f(w) dw, is the
-    /// integral over the area. (For a whole polygon or disk see [`solid_angle`](crate::radiometry::solid_angle).)
+    /// Exact for a piece that is small against its distance: an integral over directions, sum of f(w) dw, is
+    /// the integral over the area. (For a whole polygon or disk see
+    /// [`solid_angle`](crate::radiometry::solid_angle).)
     #[must_use]
     pub fn seen_from(&self, point_m: [f32; 3]) -> ([f32; 3], f32) {
         let k = to_unity(self.position_m.into_iter().chain(point_m));

@@ -1,13 +1,14 @@
-//! From power to what it does: lumens, non-visual stimulation, photons for plants; the quantities of radiometry
-//! with their relations; solid angles and form factors. (Directions are in [`geometry`](crate::geometry).)
+//! From power to what it does: lumens, non-visual stimulation, photons for plants; the quantities of
+//! radiometry with their relations; solid angles and form factors. (Directions are in
+//! [`geometry`](crate::geometry).)
 //!
 //! Six quantities, [`Energy`], [`Flux`], [`Intensity`], [`Irradiance`], [`Exitance`] and [`Radiance`], carry
 //! [`Radiant`] (watts), [`Luminous`] (lumens) or [`Scotopic`] numbers, or a whole spectrum in watts for each
-//! nanometer: `Irradiance<Light<16>>` is a spectral irradiance, `Irradiance<Luminous>` (or [`Lux`]) an illuminance.
-//! They follow from each other by distance, area, solid angle and cosine, and radiance from irradiance by a BRDF
-//! ([`PerSr`]); a quotient by zero is the largest f32, by a relation as by `/`; quantities and units that do not belong
-//! together do not compile. (Which eye counts the lumens of a spectrum is the caller's word: `luminous_by` takes any
-//! observer of one row for V(lambda).)
+//! nanometer: `Irradiance<Light<16>>` is a spectral irradiance, `Irradiance<Luminous>` (or [`Lux`]) an
+//! illuminance. They follow from each other by distance, area, solid angle and cosine, and radiance from
+//! irradiance by a BRDF ([`PerSr`]); a quotient by zero is the largest f32, by a relation as by `/`;
+//! quantities and units that do not belong together do not compile. (Which eye counts the lumens of a
+//! spectrum is the caller's word: `luminous_by` takes any observer of one row for V(lambda).)
 //!
 //! ```
 //! use nanospectra::radiometry::{Flux, Radiance, form_factor};

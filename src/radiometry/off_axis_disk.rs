@@ -95,8 +95,8 @@ fn in_plane(inside: f32) -> f32 {
     }
 }
 
-/// Bulirsch's complete elliptic integral over a quarter turn, of
-/// (a cos^2 + b sin^2) / ((cos^2 + root_p^2 sin^2) root(cos^2 + kc^2 sin^2)). Each step squares the error; 6 of them reach any f32 `kc`.
+/// Bulirsch's complete elliptic integral over a quarter turn, of (a cos^2 + b sin^2) / ((cos^2 + root_p^2
+/// sin^2) root(cos^2 + kc^2 sin^2)). Each step squares the error; 6 of them reach any f32 `kc`.
 fn cel(kc: f32, root_p: f32, a: f32, b: f32) -> f32 {
     let (mut p, mut a, mut b, mut qc, mut e, mut em) = (root_p, a, b / root_p, kc, kc, 1.0);
     for _ in 0..8 {

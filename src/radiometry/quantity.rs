@@ -92,18 +92,19 @@ macro_rules! quantity {
                 $name(Radiant(self.0.power()))
             }
 
-            /// This quantity as the eye counts it, by V(lambda) folded to this grid: 683.002 lm/W times what `v` reads.
+            /// This quantity as the eye counts it, by V(lambda) folded to this grid: 683.002 lm/W times what
+            /// `v` reads.
             ///
-            /// `v` has to be V(lambda), `V_PHOTOPIC.fold(..)`: any observer of one row on this grid has its type, and
-            /// with another one the number is no lumen.
+            /// `v` has to be V(lambda), `V_PHOTOPIC.fold(..)`: any observer of one row on this grid has its
+            /// type, and with another one the number is no lumen.
             #[must_use]
             pub fn luminous_by(&self, v: &Observer<1, N, Power, G>) -> $name<Luminous> {
                 let [sum] = v.sees(&self.0);
                 $name(Luminous(KM * sum))
             }
 
-            /// This quantity as the dark-adapted eye counts it, by V'(lambda) folded to this grid: 1700 lm/W times what
-            /// it reads.
+            /// This quantity as the dark-adapted eye counts it, by V'(lambda) folded to this grid: 1700 lm/W
+            /// times what it reads.
             ///
             /// `v_scotopic` has to be V'(lambda), `V_SCOTOPIC.fold(..)`, which its type does not say.
             #[must_use]
@@ -186,8 +187,8 @@ quantity! {
 }
 
 quantity! {
-    /// Radiance L (photometric: luminance): flux for each unit of solid angle and of area across the ray. What an
-    /// eye and a camera see, the same all along a ray through empty space.
+    /// Radiance L (photometric: luminance): flux for each unit of solid angle and of area across the ray.
+    /// What an eye and a camera see, the same all along a ray through empty space.
     Radiance: "W/(m2 sr)", "cd/m2", "scotopic cd/m2", "W/(m2 sr nm)"
 }
 

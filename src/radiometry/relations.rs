@@ -1,9 +1,9 @@
 //! How the quantities follow from each other: time, area, solid angle, distance and the cosine.
 //!
 //! A cosine is that between the normal of a surface and the direction to or from it: at or below zero the
-//! light is behind the surface and counts nothing. One rule holds for every quotient, by a relation or by `/`: what a
-//! division by zero would make infinite is the largest f32 instead, so that no light stays no light wherever it is
-//! multiplied, and nothing over nothing is nothing.
+//! light is behind the surface and counts nothing. One rule holds for every quotient, by a relation or by
+//! `/`: what a division by zero would make infinite is the largest f32 instead, so that no light stays no
+//! light wherever it is multiplied, and nothing over nothing is nothing.
 
 use crate::geometry::{Direction, Hemisphere};
 use crate::math::operator;
@@ -34,8 +34,8 @@ impl<V: Carried> Flux<V> {
         Energy::new(self.value() * seconds)
     }
 
-    /// The mean irradiance of an area in m2 on which this flux falls: E = dPhi / dA. (No cosine: it is in the flux
-    /// that the area catches.)
+    /// The mean irradiance of an area in m2 on which this flux falls: E = dPhi / dA. (No cosine: it is in the
+    /// flux that the area catches.)
     #[must_use]
     pub fn irradiance(self, area_m2: f32) -> Irradiance<V> {
         Irradiance::new(over(self.value(), area_m2))
@@ -69,8 +69,8 @@ impl<V: Carried> Intensity<V> {
         Flux::new(self.value() * solid_angle_sr)
     }
 
-    /// The irradiance at a distance in m, on a surface whose normal makes an angle of cosine `cos_theta` with the
-    /// direction to the source: E = I cos / r^2, the inverse square and the cosine law.
+    /// The irradiance at a distance in m, on a surface whose normal makes an angle of cosine `cos_theta` with
+    /// the direction to the source: E = I cos / r^2, the inverse square and the cosine law.
     ///
     /// ```
     /// # use nanospectra::radiometry::{Candela, Lux};
@@ -85,8 +85,8 @@ impl<V: Carried> Intensity<V> {
         Irradiance::new(over(over(self.value() * in_front(cos_theta), distance_m), distance_m))
     }
 
-    /// The radiance of a flat source of `area_m2` that has this intensity in a direction of cosine `cos_theta`
-    /// from its normal: L = I / (A cos). Nothing from behind.
+    /// The radiance of a flat source of `area_m2` that has this intensity in a direction of cosine
+    /// `cos_theta` from its normal: L = I / (A cos). Nothing from behind.
     #[must_use]
     pub fn radiance(self, area_m2: f32, cos_theta: f32) -> Radiance<V> {
         if cos_theta <= 0.0 {
@@ -97,8 +97,8 @@ impl<V: Carried> Intensity<V> {
 }
 
 impl<V: Carried> Irradiance<V> {
-    /// All that arrives from the hemisphere above a surface: the integral of the radiance from each direction times the
-    /// cosine, by a rule of fixed nodes.
+    /// All that arrives from the hemisphere above a surface: the integral of the radiance from each direction
+    /// times the cosine, by a rule of fixed nodes.
     ///
     /// ```
     /// # use nanospectra::geometry::GaussLegendre;
@@ -162,8 +162,8 @@ impl<V: Carried> Exitance<V> {
     }
 }
 
-/// For each steradian: the value of a [`Brdf`], which makes radiance of irradiance. (A reflectance is a share without a
-/// unit, and a BRDF's value is not; their types are one, so it is said here.)
+/// For each steradian: the value of a [`Brdf`], which makes radiance of irradiance. (A reflectance is a share
+/// without a unit, and a BRDF's value is not; their types are one, so it is said here.)
 ///
 /// ```
 /// use nanospectra::geometry::Direction;
@@ -189,8 +189,8 @@ operator! {
 }
 
 impl<V: Carried> Radiance<V> {
-    /// The scattering equation: what leaves a surface towards `wo`, where `arriving` comes from the hemisphere above it
-    /// ([`scattered`](crate::matter::scattering::scattered), with units).
+    /// The scattering equation: what leaves a surface towards `wo`, where `arriving` comes from the
+    /// hemisphere above it ([`scattered`](crate::matter::scattering::scattered), with units).
     ///
     /// ```
     /// use nanospectra::geometry::{Direction, GaussLegendre};
@@ -214,14 +214,15 @@ impl<V: Carried> Radiance<V> {
         Radiance::new(scattering::scattered(brdf, wo, quadrature, |wi| arriving(wi).value()))
     }
 
-    /// The exitance of a Lambertian emitter: M = pi L (and not 2 pi L: of each direction only the cosine leaves).
+    /// The exitance of a Lambertian emitter: M = pi L (and not 2 pi L: of each direction only the cosine
+    /// leaves).
     #[must_use]
     pub fn exitance(self) -> Exitance<V> {
         Exitance::new(self.value() * PI)
     }
 
-    /// The irradiance by this radiance from a small solid angle in sr, in a direction of cosine `cos_theta` from
-    /// the surface's normal: dE = L cos dw.
+    /// The irradiance by this radiance from a small solid angle in sr, in a direction of cosine `cos_theta`
+    /// from the surface's normal: dE = L cos dw.
     ///
     /// ```
     /// # use nanospectra::radiometry::{Nit, solid_angle};

@@ -1,9 +1,9 @@
 //! Solid angles in sr, in forms that keep their digits however small they are.
 //!
-//! Lengths are in m (any one unit will do), 0 or more, and scale freely: products of them neither overflow nor
-//! underflow. Where the textbook subtracts nearly equal numbers, 1 - cos for the sun or a determinant of
-//! long vectors for a small triangle, these forms do not: 2 pi (1 - cos) of the sun is 2e-3 off in f32, here it
-//! has all its digits.
+//! Lengths are in m (any one unit will do), 0 or more, and scale freely: products of them neither overflow
+//! nor underflow. Where the textbook subtracts nearly equal numbers, 1 - cos for the sun or a determinant of
+//! long vectors for a small triangle, these forms do not: 2 pi (1 - cos) of the sun is 2e-3 off in f32, here
+//! it has all its digits.
 //!
 //! ```
 //! use nanospectra::radiometry::solid_angle;
@@ -46,7 +46,8 @@ fn cap(half_angle_rad: f32) -> f32 {
     s * (PI - s * (0.261_799_4 - s * series))
 }
 
-/// A sphere seen from a distance to its center. From within it is all directions, from its surface half of them.
+/// A sphere seen from a distance to its center. From within it is all directions, from its surface half of
+/// them.
 ///
 /// # Accuracy
 /// 6 units of 2^-24, relative.
@@ -102,11 +103,11 @@ pub fn rectangle_with<M: Math>(width_m: f32, height_m: f32, distance_m: f32) -> 
 /// triangle) or on a vertex.
 ///
 /// # Accuracy
-/// 4 units of 2^-24 times (1 + the condition of the determinant): the sum of the sizes of its terms over its value,
-/// a few for what is seen from the front, and growing as the view becomes edge-on. Random small triangles
-/// of 1e-6 of the distance are within 1e-4, where the textbook's form has no digit left. Where two vertices lie in
-/// nearly opposite directions, the error is up to 20 units times (1 + the condition + 1 / the sine of the angle between
-/// them): near its edge a rounding of the observer's place turns the whole view.
+/// 4 units of 2^-24 times (1 + the condition of the determinant): the sum of the sizes of its terms over its
+/// value, a few for what is seen from the front, and growing as the view becomes edge-on. Random small
+/// triangles of 1e-6 of the distance are within 1e-4, where the textbook's form has no digit left. Where two
+/// vertices lie in nearly opposite directions, the error is up to 20 units times (1 + the condition + 1 / the
+/// sine of the angle between them): near its edge a rounding of the observer's place turns the whole view.
 ///
 /// # Reference
 /// Van Oosterom and Strackee 1983, with the determinant of one vertex and two edges.
@@ -130,8 +131,8 @@ pub fn triangle_with<M: Math>(from_m: [f32; 3], vertices_m: [[f32; 3]; 3]) -> f3
     let from = scaled(from_m, k);
     let [p, q, r] = vertices_m.map(|vertex| scaled(vertex, k));
     let [a, b, c] = [p, q, r].map(|vertex| difference(vertex, from));
-    // From the edges: those of a small triangle are exact, and the cross product is as small as its area. That of
-    // two long vectors would be a difference of numbers a million times as large.
+    // From the edges: those of a small triangle are exact, and the cross product is as small as its area.
+    // That of two long vectors would be a difference of numbers a million times as large.
     let determinant = dot(a, cross(difference(q, p), difference(r, p)));
     if determinant == 0.0 {
         return 0.0;

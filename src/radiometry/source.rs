@@ -19,8 +19,8 @@ pub struct PointSource<V> {
 }
 
 impl<V: Carried> PointSource<V> {
-    /// The irradiance at a point in m, on a surface with this normal (of any length but 0). Nothing at the source's own
-    /// place, from which it has no direction.
+    /// The irradiance at a point in m, on a surface with this normal (of any length but 0). Nothing at the
+    /// source's own place, from which it has no direction.
     ///
     /// # Accuracy
     /// 8 units of 2^-24 of the irradiance at normal incidence.
@@ -53,8 +53,8 @@ pub struct SphereSource<V> {
 }
 
 impl<V: Carried> SphereSource<V> {
-    /// The irradiance at a point in m, on a surface with this normal (of any length but 0), at any tilt, also with
-    /// the sphere partly below the surface's horizon. Within the sphere it is pi L.
+    /// The irradiance at a point in m, on a surface with this normal (of any length but 0), at any tilt, also
+    /// with the sphere partly below the surface's horizon. Within the sphere it is pi L.
     ///
     /// # Accuracy
     /// 4e-7 of what it would be straight ahead.
@@ -91,8 +91,8 @@ pub struct DiskSource<V> {
 }
 
 impl<V: Carried> DiskSource<V> {
-    /// The irradiance on a surface parallel to the disk and facing it, at a distance from its plane and `offset_m`
-    /// beside its axis.
+    /// The irradiance on a surface parallel to the disk and facing it, at a distance from its plane and
+    /// `offset_m` beside its axis.
     ///
     /// # Accuracy
     /// 1e-6, relative.
@@ -121,8 +121,8 @@ pub struct RectangleSource<V> {
 }
 
 impl<V: Carried> RectangleSource<V> {
-    /// The irradiance at a point in m, on a surface with this normal (of any length but 0), at any tilt, also with
-    /// the rectangle partly below the surface's horizon. Nothing from behind the rectangle.
+    /// The irradiance at a point in m, on a surface with this normal (of any length but 0), at any tilt, also
+    /// with the rectangle partly below the surface's horizon. Nothing from behind the rectangle.
     ///
     /// # Accuracy
     /// That of [`to_polygon`](crate::radiometry::form_factor::to_polygon).

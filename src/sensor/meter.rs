@@ -5,11 +5,11 @@ use crate::math::const_for;
 use crate::sensor::calibrate::positive;
 use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 
-/// A light meter: exposure, dark level and calibration folded into one matrix, so that a count is only converted,
-/// checked and multiplied.
+/// A light meter: exposure, dark level and calibration folded into one matrix, so that a count is only
+/// converted, checked and multiplied.
 ///
-/// For an instrument whose exposure stays (or one `Meter` for each of a few); the same numbers, to rounding, come
-/// from [`Exposure::basic_counts`] and [`Calibration::xyz`] step by step.
+/// For an instrument whose exposure stays (or one `Meter` for each of a few); the same numbers, to rounding,
+/// come from [`Exposure::basic_counts`] and [`Calibration::xyz`] step by step.
 ///
 /// ```
 /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
@@ -79,8 +79,8 @@ impl<const C: usize> Meter<C> {
     /// The tristimulus values of one reading.
     ///
     /// # Errors
-    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below
-    /// zero. A NaN count stays NaN.
+    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
+    /// below zero. A NaN count stays NaN.
     ///
     /// # Cost
     /// Eight channels: 123 instructions on a Cortex-M4F.

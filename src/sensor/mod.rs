@@ -19,11 +19,12 @@
 //! # Ok::<(), nanospectra::sensor::ReadingError>(())
 //! ```
 //!
-//! What data sheets say of a chip stands in [`chip`], one file for each. An instrument is made from what is measured
-//! of your own: an [`Observer`](crate::Observer) with its responsivities, from a table ([`responsivities`]), or
-//! patches of known color ([`Fit`]). A step that a program does not call costs nothing: dark counts, drift, cross-talk
-//! and glass are calls of their own, and what is linear and constant folds into the [`Calibration`]. Without an FPU,
-//! use [`fixed`]: the same calibration, computed in integers that cannot overflow.
+//! What data sheets say of a chip stands in [`chip`], one file for each. An instrument is made from what is
+//! measured of your own: an [`Observer`](crate::Observer) with its responsivities, from a table
+//! ([`responsivities`]), or patches of known color ([`Fit`]). A step that a program does not call costs
+//! nothing: dark counts, drift, cross-talk and glass are calls of their own, and what is linear and constant
+//! folds into the [`Calibration`]. Without an FPU, use [`fixed`]: the same calibration, computed in integers
+//! that cannot overflow.
 
 mod calibrate;
 pub mod chip;

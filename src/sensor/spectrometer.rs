@@ -6,8 +6,8 @@ use crate::spectrum::{PerBin, Spectrum};
 use core::fmt;
 use core::ops::Range;
 
-/// The wavelengths of the `P` pixels of one spectrometer, by the polynomial with `K` coefficients from its certificate
-/// (six, of fifth order, for a C12880MA), in nm.
+/// The wavelengths of the `P` pixels of one spectrometer, by the polynomial with `K` coefficients from its
+/// certificate (six, of fifth order, for a C12880MA), in nm.
 ///
 /// ```
 /// use nanospectra::sensor::{FirstPixel, PixelWavelengths};
@@ -72,7 +72,8 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         self.at(pixel as f32)
     }
 
-    /// The lower edge of pixel `pixel` (or the upper end, for `pixel` = `P`), in nm: half way to its neighbor.
+    /// The lower edge of pixel `pixel` (or the upper end, for `pixel` = `P`), in nm: half way to its
+    /// neighbor.
     #[must_use]
     pub const fn edge_nm(&self, pixel: usize) -> f32 {
         self.at(pixel as f32 - 0.5)
@@ -91,8 +92,8 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         nm
     }
 
-    /// Distributes counts (dark ones taken off) over the bins of a grid, each pixel by how much of it lies in a
-    /// bin.
+    /// Distributes counts (dark ones taken off) over the bins of a grid, each pixel by how much of it lies in
+    /// a bin.
     ///
     /// A pixel has already summed up what falls on its width, so counts are split and added up and never
     /// multiplied by a step; [`density`](Spectrum::density) then divides by the width of the bins. For power,
@@ -144,8 +145,8 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
     }
 }
 
-/// Counts above the mean of the masked pixels, which lie in the dark beside the others: `None` if the range is
-/// empty or beyond the last pixel.
+/// Counts above the mean of the masked pixels, which lie in the dark beside the others: `None` if the range
+/// is empty or beyond the last pixel.
 ///
 /// The same number is taken off every pixel; what differs from pixel to pixel needs a dark frame
 /// ([`Exposure::basic_counts_above`](crate::sensor::Exposure::basic_counts_above)).

@@ -1,4 +1,5 @@
-//! What spectra can do, bin by bin: lights add, factors weaken them, and what compares two of them is a factor.
+//! What spectra can do, bin by bin: lights add, factors weaken them, and what compares two of them is a
+//! factor.
 
 use crate::grid::Bands;
 #[cfg(feature = "libm")]

@@ -16,8 +16,9 @@ pub enum Interpolation {
 }
 
 impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// This spectrum at every nanometer of 360..=830, by straight lines between the centers of its bins: what the
-    /// CIE's sums ask of a table. Beyond its data a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
+    /// This spectrum at every nanometer of 360..=830, by straight lines between the centers of its bins: what
+    /// the CIE's sums ask of a table. Beyond its data a light is zero, a factor keeps its end values
+    /// ([`Quantity::OUTSIDE`]).
     ///
     /// ```
     /// # use nanospectra::{Fine, Power, light::FL11};
@@ -33,8 +34,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
 
     /// Reads this spectrum at the bin centers of another grid; `const`, as [`fine`](Self::fine).
     ///
-    /// With fewer than six bands Sprague's interpolation falls back to straight lines. Beyond its data a light is
-    /// zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
+    /// With fewer than six bands Sprague's interpolation falls back to straight lines. Beyond its data a
+    /// light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
     ///
     /// ```
     /// # use nanospectra::{Fine, Interpolation, Power, light::FL11};

@@ -9,8 +9,8 @@
     note = "what is counted `PerBin` becomes `Power` by `density()`"
 )]
 pub trait Quantity: sealed::Sealed + Copy + 'static {
-    /// What a spectrum of this quantity is outside its data: a light is taken to end there, a factor or an index of
-    /// refraction to stay what it was at the nearest wavelength.
+    /// What a spectrum of this quantity is outside its data: a light is taken to end there, a factor or an
+    /// index of refraction to stay what it was at the nearest wavelength.
     const OUTSIDE: Outside;
 }
 
@@ -23,20 +23,22 @@ pub struct Power;
 pub struct Factor;
 
 /// A refractive index, or the extinction coefficient beside it; relative to the medium light comes from. What
-/// [`Dielectric`](crate::matter::Dielectric) and [`Conductor`](crate::matter::Conductor) make reflectances from.
+/// [`Dielectric`](crate::matter::Dielectric) and [`Conductor`](crate::matter::Conductor) make reflectances
+/// from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RefractiveIndex;
 
 /// What a bin holds in all, and not for each nanometer: the counts of a spectrometer's pixels, which already
-/// sum up what falls on their width. Made by [`PixelWavelengths::rebinned`](crate::sensor::PixelWavelengths::rebinned).
+/// sum up what falls on their width. Made by
+/// [`PixelWavelengths::rebinned`](crate::sensor::PixelWavelengths::rebinned).
 ///
 /// Taken for a density, pixels of a grating that widen towards the blue are 24 % wrong in blue over red.
 /// [`density`](crate::Spectrum::density) divides by the width of the bins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PerBin;
 
-/// What a spectrum is where it has no data. Its quantity decides ([`Quantity::OUTSIDE`]); methods whose names end in
-/// `_outside` take another choice.
+/// What a spectrum is where it has no data. Its quantity decides ([`Quantity::OUTSIDE`]); methods whose names
+/// end in `_outside` take another choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outside {

@@ -7,8 +7,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     /// The averages over the bins of another grid, each bin here taken as constant: power over
     /// any range that both grids tile is conserved.
     ///
-    /// Beyond its data a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]). The target is named
-    /// by the caller: `light.resample::<31, Bins<400, 700>>()`.
+    /// Beyond its data a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]). The target is
+    /// named by the caller: `light.resample::<31, Bins<400, 700>>()`.
     ///
     /// # Accuracy
     /// The same grid gives the same bits, a constant stays exactly constant; power is conserved

@@ -66,7 +66,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Self::from_samples_outside(samples, Q::OUTSIDE)
     }
 
-    /// As [`from_samples`](Self::from_samples), where `outside` says what lies beyond the first and the last sample.
+    /// As [`from_samples`](Self::from_samples), where `outside` says what lies beyond the first and the last
+    /// sample.
     ///
     /// # Errors
     /// [`SamplesError`]: as [`from_samples`](Self::from_samples).
@@ -94,7 +95,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Self::interpolated_outside(samples, by, Q::OUTSIDE)
     }
 
-    /// As [`interpolated`](Self::interpolated), where `outside` says what lies beyond the first and the last sample.
+    /// As [`interpolated`](Self::interpolated), where `outside` says what lies beyond the first and the last
+    /// sample.
     ///
     /// # Errors
     /// [`SamplesError`]: as [`interpolated`](Self::interpolated).

@@ -15,9 +15,10 @@ use core::marker::PhantomData;
 /// `N * 4` bytes, nothing else; `Copy`, but pass it by reference.
 ///
 /// # Operators
-/// Bin by bin, by value, by reference and assigning: `+ -`, times and over numbers and factors, unary minus, sums; a light
-/// over a light is a factor. Over zero a value becomes infinite, and zero NaN, as in f32 (the quantities of
-/// [`radiometry`](crate::radiometry) stay finite). `spectrum[k]` is bin `k`, and panics beyond the last.
+/// Bin by bin, by value, by reference and assigning: `+ -`, times and over numbers and factors, unary minus,
+/// sums; a light over a light is a factor. Over zero a value becomes infinite, and zero NaN, as in f32 (the
+/// quantities of [`radiometry`](crate::radiometry) stay finite). `spectrum[k]` is bin `k`, and panics beyond
+/// the last.
 ///
 /// ```
 /// # use nanospectra::{Light, Reflectance};
@@ -84,8 +85,8 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
 }
 
 impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
-    /// From numbers that are already averages over the bins (pixels of an instrument, a table on this very grid), or
-    /// red, green and blue.
+    /// From numbers that are already averages over the bins (pixels of an instrument, a table on this very
+    /// grid), or red, green and blue.
     ///
     /// The grid is not inferred from the numbers: write `Light::<16>::from_bins(..)`.
     #[must_use]

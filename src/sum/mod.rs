@@ -5,8 +5,9 @@
 //! left to the compiler or to the width of its vectors. Multiplication and addition are rounded
 //! apart (no fused multiply-add), for the same reason.
 //!
-//! Five ways to do the same additions: `scalar` for cores without vectors, `x86` with the vectors of x86-64, elsewhere
-//! `vector` with the `wide` crate, and without it `wasm` for WebAssembly or `lanes` for what the compiler vectorizes.
+//! Five ways to do the same additions: `scalar` for cores without vectors, `x86` with the vectors of x86-64,
+//! elsewhere `vector` with the `wide` crate, and without it `wasm` for WebAssembly or `lanes` for what the
+//! compiler vectorizes.
 
 #[cfg(not(any(feature = "simd", target_arch = "x86_64", target_arch = "wasm32", target_os = "none")))]
 mod lanes;

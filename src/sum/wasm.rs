@@ -1,10 +1,10 @@
 //! For WebAssembly: eight named scalars, or with simd128 two vectors, in one function for every N.
 //!
-//! Where the compiler knows the number of bands it unrolls the sum and loads all of the spectrum first, more than there
-//! are registers: without vectors that is slower than a plain loop, and this is as fast as one
-//! (`node examples/web/bench.mjs`). One function for every N is also less to load for a page; with vectors the feature
-//! `simd`, all rows in one pass, is faster and larger. The middle is that of `scalar`, whose end differs: by name
-//! there, where a loop costs instructions, and in a loop here, where it is bytes that count.
+//! Where the compiler knows the number of bands it unrolls the sum and loads all of the spectrum first, more
+//! than there are registers: without vectors that is slower than a plain loop, and this is as fast as one
+//! (`node examples/web/bench.mjs`). One function for every N is also less to load for a page; with vectors
+//! the feature `simd`, all rows in one pass, is faster and larger. The middle is that of `scalar`, whose end
+//! differs: by name there, where a loop costs instructions, and in a loop here, where it is bytes that count.
 
 /// All rows against one spectrum, one row after the other.
 #[inline]

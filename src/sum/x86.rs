@@ -1,8 +1,8 @@
 //! Explicit vectors of x86-64: two of four lanes, or one of eight where the build has AVX.
 //!
-//! What the compiler makes of plain arrays changes with N, with its version and with the code around, by a factor of
-//! five; these intrinsics it keeps. Three rows of 16 bands take 3 ns where arrays of lanes take 13, of 81 bands 12
-//! where they take 20.
+//! What the compiler makes of plain arrays changes with N, with its version and with the code around, by a
+//! factor of five; these intrinsics it keeps. Three rows of 16 bands take 3 ns where arrays of lanes take 13,
+//! of 81 bands 12 where they take 20.
 
 #![expect(
     unsafe_code,
@@ -38,9 +38,9 @@ fn few<const N: usize>(row: &[f32; N], s: &[f32; N]) -> f32 {
     (at(0) + at(2)) + (at(1) + at(3))
 }
 
-/// Every spectrum of a batch. With eight lanes the loads are what takes long, so three rows are read once for three
-/// spectra: 5.4 ns for each of 81 bands where one by one takes 7.9. (With four lanes it is the instructions, and nothing
-/// is gained.)
+/// Every spectrum of a batch. With eight lanes the loads are what takes long, so three rows are read once for
+/// three spectra: 5.4 ns for each of 81 bands where one by one takes 7.9. (With four lanes it is the
+/// instructions, and nothing is gained.)
 #[cfg(target_feature = "avx")]
 #[inline]
 pub(crate) fn each<T, const C: usize, const N: usize>(
@@ -206,7 +206,8 @@ impl Eight {
 #[derive(Clone, Copy)]
 struct Eight(x86::__m128, x86::__m128);
 
-// SAFETY of all: every x86-64 has SSE; a reference to eight f32 can be read, four from the first and from the fifth.
+// SAFETY of all: every x86-64 has SSE; a reference to eight f32 can be read, four from the first and from the
+// fifth.
 #[cfg(not(target_feature = "avx"))]
 impl Eight {
     const ZERO: Self = unsafe { core::mem::zeroed() };

@@ -12,16 +12,17 @@ use core::marker::PhantomData;
 /// Upsampling as r R + g G + b B with three spectra that sum to 1.
 ///
 /// The three are the smoothest that have the colors of the sRGB primaries under D65 on 5 nm and stay within
-/// 0.012..=0.976 (`tests/upsample/tables.rs` makes them, from CIE data alone). For the grid, light and space at
-/// hand they are mixed by a 3x3 matrix that makes them exact there.
+/// 0.012..=0.976 (`tests/upsample/tables.rs` makes them, from CIE data alone). For the grid, light and space
+/// at hand they are mixed by a 3x3 matrix that makes them exact there.
 ///
-/// Linear: the spectrum of a mixture of lights is the mixture of their spectra, components below 0 and above 1
-/// included, and NaN stays NaN. Components above 4e37 in size overflow.
+/// Linear: the spectrum of a mixture of lights is the mixture of their spectra, components below 0 and above
+/// 1 included, and NaN stays NaN. Components above 4e37 in size overflow.
 ///
 /// # Accuracy
-/// The color comes back within 1e-6, for N = 16 bands and more; grays are constant to the bit. sRGB colors are
-/// within 0..=1 from 31 bands on. Those of wider spaces are not: of Display P3 on 31 bands they reach -0.21..1.21, of
-/// Adobe RGB -0.38..1.38, of BT.2020 -0.62..1.62, of ACEScg -0.64..1.64 (`tests/upsample/single_colors.rs`).
+/// The color comes back within 1e-6, for N = 16 bands and more; grays are constant to the bit. sRGB colors
+/// are within 0..=1 from 31 bands on. Those of wider spaces are not: of Display P3 on 31 bands they reach
+/// -0.21..1.21, of Adobe RGB -0.38..1.38, of BT.2020 -0.62..1.62, of ACEScg -0.64..1.64
+/// (`tests/upsample/single_colors.rs`).
 ///
 /// # Cost
 /// 5 ns at N = 31 on x86-64; 8 N bytes.

@@ -45,9 +45,11 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Display { primaries, to_xyz: rounded(&seen), from_xyz: rounded(&inverse64(&seen)) }
     }
 
-    /// As [`new`](Self::new), the primaries scaled so that RGB (1, 1, 1) has chromaticity `white_xy` and Y = 100.
+    /// As [`new`](Self::new), the primaries scaled so that RGB (1, 1, 1) has chromaticity `white_xy` and Y =
+    /// 100.
     ///
-    /// A white with y = 0 has no such scale, and one that the primaries cannot make takes a negative amount of one.
+    /// A white with y = 0 has no such scale, and one that the primaries cannot make takes a negative amount
+    /// of one.
     #[must_use]
     pub const fn balanced(
         primaries: [Spectrum<Power, N, G>; 3],
@@ -83,8 +85,8 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Self::balanced([red, green, blue], D65, eye)
     }
 
-    /// A nominal LCD, D65 and Y = 100 at white: the CIE's white LED B4 (5100 K) through three filters, bells as
-    /// above about 640, 535 and 455 nm with half widths of 45, 38 and 32 nm, and 1 % of light that leaks.
+    /// A nominal LCD, D65 and Y = 100 at white: the CIE's white LED B4 (5100 K) through three filters, bells
+    /// as above about 640, 535 and 455 nm with half widths of 45, 38 and 32 nm, and 1 % of light that leaks.
     #[must_use]
     pub const fn lcd(eye: &Observer<3, N, Power, G>) -> Self {
         let lamp: Spectrum<Power, N, G> = LED_B4_1NM.interpolate(Interpolation::Linear);
@@ -120,8 +122,8 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Xyz { x, y, z }
     }
 
-    /// The linear RGB it needs for a color, in the same units as [`xyz`](Self::xyz) gives; below 0 or above 1 if
-    /// it cannot show it.
+    /// The linear RGB it needs for a color, in the same units as [`xyz`](Self::xyz) gives; below 0 or above 1
+    /// if it cannot show it.
     #[must_use]
     pub const fn rgb(&self, color: Xyz) -> [f32; 3] {
         apply(&self.from_xyz, color.to_array())

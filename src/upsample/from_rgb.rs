@@ -16,8 +16,8 @@ struct Made<const N: usize, G, S>(PhantomData<(G, S)>);
 impl<const N: usize, G: Grid, S: RgbSpace> Made<N, G, S> {
     const EYE: Observer<3, N, Power, G> = Observer::<3, N, Power, G>::standard();
 
-    /// The white of the space, Y = 100: the sum of the CIE's three components of daylight that has its chromaticity for
-    /// this eye on this grid. For the whites that are daylight it is that phase of daylight.
+    /// The white of the space, Y = 100: the sum of the CIE's three components of daylight that has its
+    /// chromaticity for this eye on this grid. For the whites that are daylight it is that phase of daylight.
     const WHITE: Spectrum<Power, N, G> = {
         let parts: [Spectrum<Power, N, G>; 3] = [
             S0.interpolate_outside(Interpolation::Linear, Outside::Hold),
@@ -42,8 +42,8 @@ impl<const N: usize, G: Grid, S: RgbSpace> Made<N, G, S> {
     const SIGMOID: Sigmoid<N, G, S> = Sigmoid::new(&Viewing::new(&Self::EYE.under(&Self::WHITE)));
 }
 
-/// What can be made from a color of the space `S`: surfaces and lights in [`RgbBands`] of that space, or on any
-/// [`Grid`].
+/// What can be made from a color of the space `S`: surfaces and lights in [`RgbBands`] of that space, or on
+/// any [`Grid`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not made from a color of `{S}`",
     note = "a `Light` or a `Reflectance` on a grid is made from any RGB, one in `RgbBands<S>` from `Rgb<S>`"
@@ -74,26 +74,27 @@ impl<const N: usize, G: Grid, S: RgbSpace> FromRgb<S> for Spectrum<Power, N, G> 
 }
 
 impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
-    /// A light of this color, or a surface of this color under the white of the space; linear RGB. One name for spectra
-    /// and for RGB: code behind one alias compiles for both.
+    /// A light of this color, or a surface of this color under the white of the space; linear RGB. One name
+    /// for spectra and for RGB: code behind one alias compiles for both.
     ///
     /// * In [`RgbBands`] these are the three numbers.
-    /// * A reflectance on a grid is what [`Sigmoid::reflectance`] finds: smooth, within 0..=1, and of this color for
-    ///   [`Observer::standard`] on this grid.
-    /// * A light on a grid is [`Sigmoid::illuminant`] times the white of the space, which is (1, 1, 1) and has Y = 100: the
-    ///   daylight (a sum of the CIE's three components) of the chromaticity of the space. Components may be above 1.
+    /// * A reflectance on a grid is what [`Sigmoid::reflectance`] finds: smooth, within 0..=1, and of this
+    ///   color for [`Observer::standard`] on this grid.
+    /// * A light on a grid is [`Sigmoid::illuminant`] times the white of the space, which is (1, 1, 1) and
+    ///   has Y = 100: the daylight (a sum of the CIE's three components) of the chromaticity of the space.
+    ///   Components may be above 1.
     ///
     /// # Accuracy
-    /// The color is the same for both, within 3e-4 CIEDE2000 for every color that a sigmoid can have (all of sRGB are), on
-    /// grids of 6 bands or more that cover 400..=700 nm. What none has becomes the nearest by least squares, and a surface
-    /// brighter than white becomes white: [`Sigmoid`] by itself says so, by a [`Status`](crate::upsample::Status). On a
-    /// grid NaN, infinities and a light above 1.7e38 give NaN. After
-    /// further surfaces and under other lights the spectrum is what a smooth paint can be, and RGB is off by what
-    /// [`RgbBands`] says.
+    /// The color is the same for both, within 3e-4 CIEDE2000 for every color that a sigmoid can have (all of
+    /// sRGB are), on grids of 6 bands or more that cover 400..=700 nm. What none has becomes the nearest by
+    /// least squares, and a surface brighter than white becomes white: [`Sigmoid`] by itself says so, by a
+    /// [`Status`](crate::upsample::Status). On a grid NaN, infinities and a light above 1.7e38 give NaN.
+    /// After further surfaces and under other lights the spectrum is what a smooth paint can be, and RGB is
+    /// off by what [`RgbBands`] says.
     ///
     /// # Cost
-    /// Nothing for RGB. On a grid about 0.5 us on x86-64 at N = 31, and `20 N + 48` bytes of constants for each grid and
-    /// space: for the colors of a scene, when it is built.
+    /// Nothing for RGB. On a grid about 0.5 us on x86-64 at N = 31, and `20 N + 48` bytes of constants for
+    /// each grid and space: for the colors of a scene, when it is built.
     ///
     /// ```
     /// use nanospectra::color::{Rgb, RgbBands, Srgb};

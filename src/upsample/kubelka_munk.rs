@@ -4,12 +4,12 @@ use crate::grid::Bands;
 use crate::math::sqrt;
 use crate::spectrum::{Factor, Spectrum};
 
-/// The reflectance of opaque paints, each within 0..=1, mixed in these shares (any scale, none below zero, together
-/// below 1e38).
+/// The reflectance of opaque paints, each within 0..=1, mixed in these shares (any scale, none below zero,
+/// together below 1e38).
 ///
 /// At each wavelength the ratio of absorption to scattering, (1 - R)^2 / 2R, is averaged by share: one
-/// constant, all paints scatter alike. Blue and yellow make green, where averaging the reflectances makes gray.
-/// Mixing nothing is NaN; a share of an ideal black makes black.
+/// constant, all paints scatter alike. Blue and yellow make green, where averaging the reflectances makes
+/// gray. Mixing nothing is NaN; a share of an ideal black makes black.
 ///
 /// # Accuracy
 /// 3e-7 relative for reflectances within 0.001..=1; one paint, or the same one twice, comes back so.

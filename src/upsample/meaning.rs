@@ -70,8 +70,8 @@ impl SigmoidReflectance {
         Spectrum::from_bins(self.shape.on_grid::<N, G>(offset, scale))
     }
 
-    /// Four numbers, as a texture stores them: q0, q1, q2, and the scale with the bit as its sign. Those of sRGB fit f16;
-    /// steep curves of colors out of reach do not.
+    /// Four numbers, as a texture stores them: q0, q1, q2, and the scale with the bit as its sign. Those of
+    /// sRGB fit f16; steep curves of colors out of reach do not.
     #[must_use]
     pub const fn to_texel(self) -> [f32; 4] {
         let [q0, q1, q2] = self.shape.q;

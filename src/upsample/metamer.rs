@@ -45,8 +45,8 @@ pub struct CohenR<const N: usize, Q = Factor, G = Bins<380, 730>> {
 impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
     /// The matrix R of this observer; for `const` use.
     ///
-    /// An observer one of whose rows is a mixture of the others (two bands are too few for three) has no R, and what
-    /// this splits means nothing.
+    /// An observer one of whose rows is a mixture of the others (two bands are too few for three) has no R,
+    /// and what this splits means nothing.
     #[must_use]
     pub const fn new(eye: &Observer<3, N, Q, G>) -> Self {
         let rows = eye.weights();

@@ -35,8 +35,8 @@
 //! | [`Smits`] | 28 N | no: 0.9 CIEDE2000 in the mean | up to 1.015 | in pieces | ten steps |
 //!
 //! Under another lamp than the one it was made for, a spectrum shows its shape. Against the measured
-//! reflectances of CES99 the sigmoid is off by 1.2 (LED-B3) to 2.2 CIEDE2000 (A) in the mean, the basis by 1.4 to
-//! 3.0: nobody can know more of a paint from three numbers.
+//! reflectances of CES99 the sigmoid is off by 1.2 (LED-B3) to 2.2 CIEDE2000 (A) in the mean, the basis by
+//! 1.4 to 3.0: nobody can know more of a paint from three numbers.
 //!
 //! # Three meanings
 //!
@@ -44,8 +44,8 @@
 //! * [`SigmoidUnbounded`]: the same shape times any number: a density, a color that may be above 1.
 //! * [`SigmoidIlluminant`]: light: an unbounded one times the white that (1, 1, 1) stands for.
 //!
-//! [`Spectrum::from_rgb`](crate::Spectrum::from_rgb) is the short way to a reflectance or a light: by the standard
-//! observer, under the white of the space, on any grid.
+//! [`Spectrum::from_rgb`](crate::Spectrum::from_rgb) is the short way to a reflectance or a light: by the
+//! standard observer, under the white of the space, on any grid.
 //!
 //! Around it: [`Display`] (what a screen emits for an RGB), [`kubelka_munk()`] (mixed paints) and
 //! [`CohenR`] (what of a spectrum an eye cannot see).

@@ -1,9 +1,9 @@
 //! Newton's method on u = sigma^-1 (responses): the curve whose three responses are those asked for.
 //!
 //! A response is a = 1/2 + A/2 with A the weighted mean of p / sqrt(1 + p^2), and its slope along q is half
-//! the weighted mean of (1 + p^2)^-3/2 times x^2, x and 1: twelve sums over the grid. Sums run through the bins
-//! in order, one accumulator each, so a color alone, in a batch and on any core adds up to the same bits;
-//! what is done at once is the twelve of them, or several colors.
+//! the weighted mean of (1 + p^2)^-3/2 times x^2, x and 1: twelve sums over the grid. Sums run through the
+//! bins in order, one accumulator each, so a color alone, in a batch and on any core adds up to the same
+//! bits; what is done at once is the twelve of them, or several colors.
 
 use crate::upsample::rsqrt::{rsqrt, rsqrt_near, unsigmoid};
 use crate::upsample::shape::sigmoid;
@@ -15,7 +15,8 @@ pub(super) type Rows<const N: usize> = [[f32; 4]; N];
 /// For each response: A, and the sums that go with x^2, x and 1.
 type Sums = [[f32; 4]; 3];
 
-/// A step that starts with less than this missing, of all three, ends within 3e-6 of the goal, and is the last one.
+/// A step that starts with less than this missing, of all three, ends within 3e-6 of the goal, and is the
+/// last one.
 const NEAR: f32 = 2e-3;
 /// The same for curves steeper than any of sRGB, where a step gains less.
 const NEAR_IF_STEEP: f32 = 1e-4;
@@ -147,8 +148,8 @@ fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
     (q, Some(responses(rows, q)))
 }
 
-/// A curve after its last step. Steep ones may be off by what f32 cannot hold, and those of few bands by what the last
-/// step leaves.
+/// A curve after its last step. Steep ones may be off by what f32 cannot hold, and those of few bands by what
+/// the last step leaves.
 #[inline(always)]
 fn settled<const N: usize>(rows: &Rows<N>, q: [f32; 3]) -> Found {
     (q, if N < 16 || size(&q) > STEEP { Some(responses(rows, q)) } else { None })
@@ -165,8 +166,9 @@ fn responses<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> [f32; 3]
     sums
 }
 
-/// The curve whose responses are nearest to those asked for, by the method of Levenberg and Marquardt: least squares
-/// of what is missing over the square roots of the responses, which is near to what an eye makes of it.
+/// The curve whose responses are nearest to those asked for, by the method of Levenberg and Marquardt: least
+/// squares of what is missing over the square roots of the responses, which is near to what an eye makes of
+/// it.
 fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
     let asked = asked.map(within);
     let weights = asked.map(|a| 1.0 / (if a > 0.01 { a } else { 0.01 }));
@@ -251,8 +253,9 @@ fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32;
     [q0 * per_det, q1 * per_det, q2 * per_det]
 }
 
-/// The twelve sums of several colors. One loop over the lanes with all that is done for a bin in it: long enough
-/// for the compiler to make vectors of it, where loops of one operation each are unrolled to scalars first.
+/// The twelve sums of several colors. One loop over the lanes with all that is done for a bin in it: long
+/// enough for the compiler to make vectors of it, where loops of one operation each are unrolled to scalars
+/// first.
 #[inline(always)]
 fn sums_of_lanes<const L: usize, const N: usize>(
     rows: &Rows<N>,

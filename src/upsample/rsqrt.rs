@@ -18,8 +18,8 @@ fn first_step(h: f32) -> f32 {
     y * (1.681_913_9 - 0.703_952 * h * y * y)
 }
 
-/// 1 / sqrt(h) for 1e-30 < h < 1e37, within 1.1e-7, and exactly 1 for 1: one step as above and one of the third
-/// order.
+/// 1 / sqrt(h) for 1e-30 < h < 1e37, within 1.1e-7, and exactly 1 for 1: one step as above and one of the
+/// third order.
 #[inline(always)]
 pub(super) fn rsqrt(h: f32) -> f32 {
     let y = first_step(h);

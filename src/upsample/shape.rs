@@ -42,7 +42,8 @@ impl Shape {
         self.at_x((nm - CENTER_NM as f32) * (1.0 / REACH_NM) as f32)
     }
 
-    /// `offset + scale * curve` at the centers of the bins of a grid; eight at a time, the rest filled up to eight.
+    /// `offset + scale * curve` at the centers of the bins of a grid; eight at a time, the rest filled up to
+    /// eight.
     #[inline]
     pub(super) fn on_grid<const N: usize, G: Grid>(self, offset: f32, scale: f32) -> [f32; N] {
         let eight = |x: &[f32; 8]| {

@@ -27,11 +27,12 @@ use core::marker::PhantomData;
 ///
 /// # Accuracy
 /// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81 every one of the 2^24
-/// 8-bit sRGB colors comes back as its code, for the 2 degree eye, within 0.00042 (`CubicStart`), 0.00035 (`LinearStart`) and 0.00034 CIEDE2000 (`QuinticStart`)
-/// (`tests/upsample/all.rs`). Of a 17^3 cube, encoded by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020
-/// 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4 % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values
-/// of BT.1886 74.6 %); the others are outside what sigmoids of a quadratic can be, and say so. With fewer than 31
-/// bands, or wider than 10 nm, more colors need damped steps (N = 16: none of sRGB is missed).
+/// 8-bit sRGB colors comes back as its code, for the 2 degree eye, within 0.00042 (`CubicStart`), 0.00035
+/// (`LinearStart`) and 0.00034 CIEDE2000 (`QuinticStart`) (`tests/upsample/all.rs`). Of a 17^3 cube, encoded
+/// by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4
+/// % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values of BT.1886 74.6 %); the others are
+/// outside what sigmoids of a quadratic can be, and say so. With fewer than 31 bands, or wider than 10 nm,
+/// more colors need damped steps (N = 16: none of sRGB is missed).
 ///
 /// # Cost
 /// 2 to 6 steps; 385 ns a color in the mean at N = 31 on x86-64, 4500 instructions on a Cortex-M4F (7900 at
@@ -58,7 +59,8 @@ enum Problem {
     Solve { responses: [f32; 3], scale: f32, complement: bool },
 }
 
-/// How many colors the solver takes at once: eight fill the vectors of AVX, four those of SSE, where eight spill.
+/// How many colors the solver takes at once: eight fill the vectors of AVX, four those of SSE, where eight
+/// spill.
 #[cfg(any(target_feature = "avx", target_os = "none"))]
 const LANES: usize = 8;
 #[cfg(not(any(target_feature = "avx", target_os = "none")))]
@@ -113,8 +115,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// The reflectance that has exactly this color (linear RGB, on 6 bands or more), if undamped steps find one: the solver alone, for
-    /// programs that must be small. The same bits as [`reflectance`](Self::reflectance).
+    /// The reflectance that has exactly this color (linear RGB, on 6 bands or more), if undamped steps find
+    /// one: the solver alone, for programs that must be small. The same bits as
+    /// [`reflectance`](Self::reflectance).
     #[must_use]
     pub fn solve(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
         match self.problem(rgb.to_array()) {
@@ -126,9 +129,10 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// The reflectance of a color (linear RGB). What no sigmoid has comes near by least squares: the primaries of
-    /// BT.2020 within 2.5 to 9.6 CIEDE2000. For components within 0..=1 that is in the mean nearer than
-    /// [`desaturated`](Self::desaturated); above 1 the hue turns, and [`unbounded`](Self::unbounded) is what to take.
+    /// The reflectance of a color (linear RGB). What no sigmoid has comes near by least squares: the
+    /// primaries of BT.2020 within 2.5 to 9.6 CIEDE2000. For components within 0..=1 that is in the mean
+    /// nearer than [`desaturated`](Self::desaturated); above 1 the hue turns, and
+    /// [`unbounded`](Self::unbounded) is what to take.
     #[must_use]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let problem = self.problem(rgb.to_array());
@@ -136,11 +140,12 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     }
 
     /// The reflectance of a color; what no sigmoid has is mixed with the gray of its luminance until one has
-    /// it, to within 1/1000 of the way: same luminance, same direction from gray, less of it. What is brighter
-    /// than white becomes white, what has a luminance below 0 black.
+    /// it, to within 1/1000 of the way: same luminance, same direction from gray, less of it. What is
+    /// brighter than white becomes white, what has a luminance below 0 black.
     ///
     /// # Cost
-    /// Of an unsolvable color eleven times that of [`reflectance`](Self::reflectance), which is then 88 steps.
+    /// Of an unsolvable color eleven times that of [`reflectance`](Self::reflectance), which is then 88
+    /// steps.
     #[must_use]
     pub fn desaturated(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let first = self.reflectance(rgb);
@@ -171,7 +176,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         best
     }
 
-    /// The spectrum of any size whose curve is the color's: for densities and for what is brighter than white.
+    /// The spectrum of any size whose curve is the color's: for densities and for what is brighter than
+    /// white.
     #[must_use]
     pub fn unbounded(&self, rgb: Rgb<S>) -> Solved<SigmoidUnbounded> {
         let (_, largest) = range(rgb.to_array());

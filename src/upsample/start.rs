@@ -1,14 +1,14 @@
 //! Where Newton's method starts: an odd polynomial from what is asked to the curve that has it.
 //!
 //! Turning a spectrum over (s to 1 - s) turns the sign of both sides, so even terms are zero and are not
-//! stored. The polynomial is in v = u / m with m = sqrt(1 + mean u^2), and its value is taken times m: towards
-//! black and white the curve grows in proportion.
+//! stored. The polynomial is in v = u / m with m = sqrt(1 + mean u^2), and its value is taken times m:
+//! towards black and white the curve grows in proportion.
 
 use crate::upsample::rsqrt::rsqrt;
 use crate::upsample::tables::{START_CUBIC, START_LINEAR, START_QUINTIC};
 
-/// Which start map: [`LinearStart`], [`CubicStart`] (the default) or [`QuinticStart`]. More bytes, fewer steps; the
-/// result is the same to within rounding.
+/// Which start map: [`LinearStart`], [`CubicStart`] (the default) or [`QuinticStart`]. More bytes, fewer
+/// steps; the result is the same to within rounding.
 pub trait StartMap: Copy + core::fmt::Debug + Default + 'static + Start {
     /// Bytes of its constants.
     const BYTES: usize;

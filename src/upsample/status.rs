@@ -19,16 +19,16 @@ pub struct Solved<T> {
 pub enum Status {
     /// The spectrum has the color, within 0.002 CIEDE2000.
     Exact,
-    /// No sigmoid has the color. This one lies on the way to it from the gray of its luminance, or is black or white
-    /// where there is no such gray.
+    /// No sigmoid has the color. This one lies on the way to it from the gray of its luminance, or is black
+    /// or white where there is no such gray.
     Desaturated {
         /// How much of the way from gray to the color, 0..1.
         kept: f32,
         /// The color of this spectrum, beside the one that was asked for.
         miss: Miss,
     },
-    /// No sigmoid has the color; this one is near, by least squares. (Next to the limit of what sigmoids have f32
-    /// cannot tell: this may then be as near as 0.0005, or as far as 0.2 where f64 finds an exact one.)
+    /// No sigmoid has the color; this one is near, by least squares. (Next to the limit of what sigmoids have
+    /// f32 cannot tell: this may then be as near as 0.0005, or as far as 0.2 where f64 finds an exact one.)
     Unreachable(Miss),
     /// A component is NaN or infinite, or so large that the spectrum would be; the spectrum is NaN.
     NotFinite,
@@ -54,7 +54,8 @@ impl Miss {
         self.asked.delta_e(self.given, self.white)
     }
 
-    /// Are the two within 0.002 CIEDE2000? By a formula that needs no more than roots, and comes to half of that or more.
+    /// Are the two within 0.002 CIEDE2000? By a formula that needs no more than roots, and comes to half of
+    /// that or more.
     pub(super) fn is_nothing(&self) -> bool {
         match (self.asked.lab(self.white), self.given.lab(self.white)) {
             (Some(asked), Some(given)) => cie94(asked, given, Cie94Weights::GraphicArts) < 0.001,
@@ -62,8 +63,8 @@ impl Miss {
         }
     }
 
-    /// The CIE 1976 difference between the two, which needs no more than roots; infinite, or NaN, for components of 1e16 and
-    /// beyond.
+    /// The CIE 1976 difference between the two, which needs no more than roots; infinite, or NaN, for
+    /// components of 1e16 and beyond.
     #[must_use]
     pub fn delta_e76(&self) -> f32 {
         match (self.asked.lab(self.white), self.given.lab(self.white)) {

@@ -64,7 +64,8 @@ impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
         Xyz { x, y, z }.scaled(100.0)
     }
 
-    /// The RGB of a color with Y = 100 for white: every method of this module that takes an RGB can upsample it.
+    /// The RGB of a color with Y = 100 for white: every method of this module that takes an RGB can upsample
+    /// it.
     #[must_use]
     pub const fn rgb_of_xyz(&self, xyz: Xyz) -> Rgb<S> {
         let [r, g, b] = apply(&self.from_xyz, xyz.scaled(0.01).to_array());

@@ -1,6 +1,6 @@
-//! Where a rendering textbook's chapter on color slips, and what is right. (Others of its slips are held where they
-//! belong: one cosine in irradiance and 683 lm/W in `radiometry`, theta and phi in `directions`, reflectances of the
-//! same direction in `brdf`.)
+//! Where a rendering textbook's chapter on color slips, and what is right. (Others of its slips are held
+//! where they belong: one cosine in irradiance and 683 lm/W in `radiometry`, theta and phi in `directions`,
+//! reflectances of the same direction in `brdf`.)
 
 use nanospectra::color::Xyz;
 use nanospectra::light::D65;
@@ -29,7 +29,8 @@ fn tristimulus_values_are_inner_products_and_no_coefficients() {
     // X x-bar + Y y-bar + Z z-bar is neither the spectrum nor a spectrum of that color: it is pink.
     let wrong = sum_of_rows(&light);
     assert!(distance(xy(&wrong), xy(&light)) > 0.03, "{:?} {:?}", xy(&wrong), xy(&light));
-    // With the amounts that solve for the color, which Cohen's matrix has, it is of that color, and still not D65.
+    // With the amounts that solve for the color, which Cohen's matrix has, it is of that color, and still not
+    // D65.
     let right = CohenR::new(&EYE).fundamental(&light);
     assert!(distance(xy(&right), xy(&light)) < 1e-6);
     assert!((right.values()[0] - light.values()[0]).abs() > 0.5 * light.values()[0]);

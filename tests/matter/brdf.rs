@@ -149,8 +149,8 @@ fn the_hemisphere_sees_the_mean_of_all_directions() {
 
 #[test]
 fn the_scattering_equation_has_the_cosine_once_and_pi_where_it_belongs() {
-    // A lamp of radiance 50 that fills a cone of 10 degrees around the zenith, on paper of 0.8: E = pi L sin^2,
-    // Lo = rho E / pi.
+    // A lamp of radiance 50 that fills a cone of 10 degrees around the zenith, on paper of 0.8: E = pi L
+    // sin^2, Lo = rho E / pi.
     let edge = 10f32.to_radians();
     let sky = |wi: Direction| if wi.cos_theta() > edge.cos() { 50.0f32 } else { 0.0 };
     let lo = scattered(&Lambert(0.8f32), tilted(0.5), &Uniform::<20_000, 1>, sky);

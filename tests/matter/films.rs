@@ -1,4 +1,5 @@
-//! Thin films and stacks against the goldens, the textbook's matrix in f64, and means over bins taken point by point.
+//! Thin films and stacks against the goldens, the textbook's matrix in f64, and means over bins taken point
+//! by point.
 #![cfg(feature = "libm")]
 
 use model::allowed::{Singles, check};

@@ -117,8 +117,8 @@ proptest! {
         let there = ThinFilm::new(n, d).at(nm, cos);
         let back = ThinFilm::new([n2, n1, n0], d).at(nm, (1.0 - sine * sine).sqrt());
         for (there, back) in there.into_iter().zip(back) {
-            // The other cosine is rounded: a long film turns that into another phase, so thin ones only; and a
-            // grazing cosine, the root of what is left of 1, is not got back from it to better than this.
+            // The other cosine is rounded: a long film turns that into another phase, so thin ones only; and
+            // a grazing cosine, the root of what is left of 1, is not got back from it to better than this.
             if d < 300.0 {
                 prop_assert!((there.transmitted - back.transmitted).abs() * cos < 6e-6, "{there:?} {back:?}");
             }

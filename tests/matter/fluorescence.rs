@@ -424,7 +424,8 @@ fn what_glows_has_its_price() {
     assert_eq!((Vest::PRICE.multiply_adds, Vest::PRICE.bytes), (93, 372));
     let (light, vest) = (Light::<31>::flat(1.0), fine_vest().resample::<31, _>());
     let (paper, matrix) = (Reflectance::flat(0.5), Donaldson::<31, 496>::from_dye(&vest));
-    // Light that comes by way of the paper is worked out twice: for what the dye absorbs, and for what it reflects.
+    // Light that comes by way of the paper is worked out twice: for what the dye absorbs, and for what it
+    // reflects.
     let price = light.onto(&paper).onto(&vest).price();
     assert_eq!((price.multiply_adds, price.bytes), (31 + 93 + 31, 124 + 124 + 372));
     let price = light.onto(&paper).onto(&matrix).onto(&vest).price();

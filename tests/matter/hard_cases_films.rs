@@ -1,5 +1,5 @@
-//! What goes wrong with thin films and thin absorbers in f32 or in few bins, at the tolerance that the stable forms
-//! hold: rows 45 to 48 of the hard cases.
+//! What goes wrong with thin films and thin absorbers in f32 or in few bins, at the tolerance that the stable
+//! forms hold: rows 45 to 48 of the hard cases.
 #![cfg(feature = "libm")]
 
 use model::allowed::check;

@@ -1,5 +1,5 @@
-//! What goes wrong at surfaces in f32 if it is written naively: Fresnel's equations for media that hardly differ or
-//! hardly let light in, microfacets of a mirror's smoothness, grazing light.
+//! What goes wrong at surfaces in f32 if it is written naively: Fresnel's equations for media that hardly
+//! differ or hardly let light in, microfacets of a mirror's smoothness, grazing light.
 
 use model::allowed::{Singles, check};
 use model::check::{Check, EPS};
@@ -306,7 +306,8 @@ fn gloss() -> impl Iterator<Item = (f32, f32)> {
 
 #[test]
 fn visible_normals_find_the_light_at_every_roughness() {
-    // Row 52: the weak white furnace, and the reflectance of a perfect reflector against a converged integral.
+    // Row 52: the weak white furnace, and the reflectance of a perfect reflector against a converged
+    // integral.
     let mut furnace = check("weak white furnace, visible normals");
     let mut coarse = check("reflectance of facets, 12 x 12 visible normals");
     let mut usual = check("reflectance of facets, 16 x 16 visible normals");
@@ -316,7 +317,8 @@ fn visible_normals_find_the_light_at_every_roughness() {
         let place = format!("{alpha}, {cosine}");
         let facets = TrowbridgeReitz::new(alpha);
         let wo = tilted(cosine);
-        // F = 1 and G1 alone: D G1 / (4 cos) of the crate over the solid angles that the model gives the nodes.
+        // F = 1 and G1 alone: D G1 / (4 cos) of the crate over the solid angles that the model gives the
+        // nodes.
         let (mut sum, mut shares) = (0.0, 0.0);
         for (wm, share) in VisibleNormals::<8, 16>.normals(facets, wo) {
             let of_model = surface::ggx_visible_d(alpha.into(), as_f64(wo), as_f64(wm));

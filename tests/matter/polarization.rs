@@ -31,8 +31,8 @@ fn rotation(turns: f64) -> Matrix {
     [[1.0, 0.0, 0.0, 0.0], [0.0, cos, sin, 0.0], [0.0, -sin, cos, 0.0], [0.0, 0.0, 0.0, 1.0]]
 }
 
-/// An element with amplitudes (transmission or reflection) along and across its axis, `x` and `y`: complex, for waves
-/// as e^(i omega t), so that what is delayed has the smaller phase.
+/// An element with amplitudes (transmission or reflection) along and across its axis, `x` and `y`: complex,
+/// for waves as e^(i omega t), so that what is delayed has the smaller phase.
 fn element(x: (f64, f64), y: (f64, f64), axis_turns: f64) -> Matrix {
     let (xx, yy) = (x.0 * x.0 + x.1 * x.1, y.0 * y.0 + y.1 * y.1);
     // x times the conjugate of y
@@ -42,8 +42,8 @@ fn element(x: (f64, f64), y: (f64, f64), axis_turns: f64) -> Matrix {
     product(&rotation(-axis_turns), &product(&own, &rotation(axis_turns)))
 }
 
-/// Fresnel's amplitudes of s and p by the textbook (Born and Wolf), p turned round so that both agree at right
-/// angles: what a mirror does along the unfolded path.
+/// Fresnel's amplitudes of s and p by the textbook (Born and Wolf), p turned round so that both agree at
+/// right angles: what a mirror does along the unfolded path.
 fn fresnel(eta: f64, degrees: f64) -> ((f64, f64), (f64, f64)) {
     let cos = degrees.to_radians().cos();
     let sin = degrees.to_radians().sin();
@@ -167,7 +167,8 @@ fn mirrors_agree_with_the_golden() {
 
 #[test]
 fn a_metal_that_does_not_absorb_turns_phases_as_glass_does() {
-    // Light at 45 degrees to the plane of incidence, from without and from within, so that U and V show the phase.
+    // Light at 45 degrees to the plane of incidence, from without and from within, so that U and V show the
+    // phase.
     let (across, plate) = (Polarizer::ideal(0.125), Retarder::flat(0.1, 0.05));
     for eta in [0.5f32, 0.8, 1.0, 1.5, 2.4] {
         for cos in [-0.5f32, 0.0, 0.1, 0.3, 0.6, 0.8, 1.0] {
@@ -205,7 +206,8 @@ fn total_reflection_turns_the_phase_as_fresnel_says() {
     check.tight_over_all();
 }
 
-/// Two total reflections at 54 degrees 37 minutes in glass of 1.51 make a quarter wave (Born and Wolf, 1.5.4).
+/// Two total reflections at 54 degrees 37 minutes in glass of 1.51 make a quarter wave (Born and Wolf,
+/// 1.5.4).
 #[test]
 fn a_fresnel_rhomb_makes_circular_light() {
     let cos = (54.0 + 37.0 / 60.0f64).to_radians().cos() as f32;
@@ -404,8 +406,8 @@ impl Part {
     }
 }
 
-/// Whether no more of the light is polarized than there is, but for rounding: a share of the light that came in, since
-/// next to extinction what is left is a difference.
+/// Whether no more of the light is polarized than there is, but for rounding: a share of the light that came
+/// in, since next to extinction what is left is a difference.
 fn is_light([i, q, u, v]: [f32; 4], rounding: f64) -> bool {
     let [i, q, u, v] = [i, q, u, v].map(f64::from);
     i >= -rounding && (q * q + u * u + v * v).sqrt() <= i + rounding

@@ -132,7 +132,8 @@ fn the_ends_are_defined() {
     assert_eq!(at(1.0, 10.0, 1e-3, 0.0), [0.0, 0.0, 1.0]);
     assert_eq!(at(1.0, 0.0, 1e-3, 0.0), [0.0, 1.0, 0.0]);
     assert_eq!(at(1.0, 10.0, 0.0, 0.0), [0.0, 1.0, 0.0]);
-    // A gap of air in glass, beyond the critical angle (41.8 degrees); the evanescent field does not reach across.
+    // A gap of air in glass, beyond the critical angle (41.8 degrees); the evanescent field does not reach
+    // across.
     assert_eq!(at(1.0 / 1.5, 0.0, 1e-3, 0.7), [1.0, 0.0, 0.0]);
     // Below it as from the outside: the face is the same.
     assert!((at(1.0 / 1.5, 0.0, 1e-3, 1.0)[1] - 12.0 / 13.0).abs() < 1e-6);

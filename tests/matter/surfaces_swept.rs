@@ -96,7 +96,8 @@ fn metals_of_any_index_reflect_and_absorb_what_they_should() {
     reflected.tight(n);
     p_check.tight(n);
     share.tight(2 * n);
-    // Nearly clear and thinner than what is before it: as ill-conditioned near its critical angle as any glass.
+    // Nearly clear and thinner than what is before it: as ill-conditioned near its critical angle as any
+    // glass.
     for _ in 0..20_000 {
         let (eta, k, cos_i) = (noise.decades(0.05, 1.0), noise.decades(1e-6, 1e-2), noise.between(1e-3, 1.0));
         let (s, p) = reflectances([eta.into(), k.into()], cos_i.into());
@@ -162,8 +163,8 @@ fn films_of_any_kind_share_out_light_as_the_matrix_does() {
     stack_check.tight(4 * n);
 }
 
-/// The worst that climbing from random starts has found within the ranges that the documentation names. (Runs of the
-/// search end at different places for stacks and beside the critical angle: there may be worse.)
+/// The worst that climbing from random starts has found within the ranges that the documentation names. (Runs
+/// of the search end at different places for stacks and beside the critical angle: there may be worse.)
 #[test]
 fn the_worst_films_and_stacks_are_off_by_what_the_documentation_says() {
     for (what, indices, d, nm, cos) in [

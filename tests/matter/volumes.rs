@@ -96,7 +96,8 @@ fn air_scatters_as_bodhaine_says() {
     let mut rows = 0;
     for row in golden("10_rayleigh").rows() {
         let [nm, co2] = row.numbers(["lambda_nm", "co2_ppm"]);
-        // What the rounding of the wavelength costs is not the formula's: four times as much in its fourth power.
+        // What the rounding of the wavelength costs is not the formula's: four times as much in its fourth
+        // power.
         let (nm32, co2) = (nm as f32, co2 as f32);
         let place = row.place();
         sigma.add(&place, rayleigh_cross_section(nm32, co2), 1e27 * row.number("sigma_Ns_paper"));
@@ -132,7 +133,8 @@ fn what_air_scatters_goes_somewhere() {
         let at = |cos: f32| f64::from(rayleigh_phase(cos, king));
         let sum = 2.0 * PI * (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 3.0;
         assert!((sum - 1.0).abs() < 2e-7, "{king}: {sum}");
-        // Depolarization: (1 + rho) for unpolarized light at right angles over along it, by Bucholtz' table 1.06.
+        // Depolarization: (1 + rho) for unpolarized light at right angles over along it, by Bucholtz' table
+        // 1.06.
         assert!(at(0.0) < at(1.0) && at(1.0) == at(-1.0));
     }
     let rho = 6.0 * 0.0488 / (7.0 * 1.0488 + 3.0f64);
@@ -168,7 +170,8 @@ fn burleys_profile_holds_its_albedo() {
     }
     within.tight_over_all();
     profile.tight_over_all();
-    // All of it leaves somewhere: the integral of 2 pi r R(r), by midpoints in f64 of the crate's own profile.
+    // All of it leaves somewhere: the integral of 2 pi r R(r), by midpoints in f64 of the crate's own
+    // profile.
     let sum: f64 = (0..40_000)
         .map(|i| {
             let r = (f64::from(i) + 0.5) * 1e-3 * 2e-3;

@@ -73,7 +73,8 @@ fn a_matt_surface_forgets_how_light_was_polarized_and_glass_does_not() {
     assert_eq!(polarized.onto(&dye).collected(), sun * 0.25);
 }
 
-/// What a path in RGB is off by: each of the 99 samples of CIE 224 as its color under D65, each lamp as its color.
+/// What a path in RGB is off by: each of the 99 samples of CIE 224 as its color under D65, each lamp as its
+/// color.
 #[test]
 fn rgb_is_this_far_from_the_spectrum() {
     fn errors<S: RgbSpace>() -> (f64, f64) {

@@ -1,4 +1,5 @@
-//! A million random cases of matter, read-outs and light, of any size that f32 has: no finite number gives NaN.
+//! A million random cases of matter, read-outs and light, of any size that f32 has: no finite number gives
+//! NaN.
 
 use nanospectra::math::Fast;
 use nanospectra::matter::{Dye, Mirror, Mueller, Phosphor, Polarizer, Retarder};

@@ -1,4 +1,5 @@
-//! An effect of a user's own: one function puts it into a path; what is linear folds, and agrees with the way forward.
+//! An effect of a user's own: one function puts it into a path; what is linear folds, and agrees with the way
+//! forward.
 
 use nanospectra::color::{RgbBands, Srgb};
 use nanospectra::matter::{Donaldson, Dye, Effect, Foldable, Mirror, Phosphor};

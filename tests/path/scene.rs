@@ -1,5 +1,5 @@
-//! Scenes: paths chosen at run time give what the typed ones give, cost what they say, and leave out what does not
-//! show.
+//! Scenes: paths chosen at run time give what the typed ones give, cost what they say, and leave out what
+//! does not show.
 #![cfg(feature = "libm")]
 
 use model::allowed::{Singles, check};

@@ -1,7 +1,9 @@
-//! What is written about the crate in its documentation, README.md and Cargo.toml is what tests measure and what is on record.
+//! What is written about the crate in its documentation, README.md and Cargo.toml is what tests measure and
+//! what is on record.
 //!
-//! tests/data/claims.txt names for numbers of sections what holds them. A row whose number is not in its section is a failure,
-//! and so is a number that its holder no longer says. NANOSPECTRA_BLESS=1 first renews what is held by an error or a count.
+//! tests/data/claims.txt names for numbers of sections what holds them. A row whose number is not in its
+//! section is a failure, and so is a number that its holder no longer says. NANOSPECTRA_BLESS=1 first renews
+//! what is held by an error or a count.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! What the crate promises about programs that use it: what compiles, what gets into an image, what it costs, and that the documentation says so. These tests build programs.
+//! What the crate promises about programs that use it: what compiles, what gets into an image, what it costs,
+//! and that the documentation says so. These tests build programs.
 
 mod claims;
 mod damaged_tables;

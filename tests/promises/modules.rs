@@ -1,6 +1,6 @@
-//! Modules of the library depend downwards only. (The story of `src/lib.rs` goes along the light; what the code of a
-//! station needs decides what lies lower: an observer before the lights that are judged by it, colors before the matter
-//! whose Fresnel terms and budgets are told in them.)
+//! Modules of the library depend downwards only. (The story of `src/lib.rs` goes along the light; what the
+//! code of a station needs decides what lies lower: an observer before the lights that are judged by it,
+//! colors before the matter whose Fresnel terms and budgets are told in them.)
 
 use crate::claims::sections::{Texts, texts};
 use std::collections::BTreeSet;
@@ -113,8 +113,8 @@ fn an_arrow_back_is_found() {
     }
 }
 
-/// Code names other modules from the crate's root, so that it reads the same wherever its file lies. (Modules within a
-/// file, for tests and for sealing traits, call their file `super`.)
+/// Code names other modules from the crate's root, so that it reads the same wherever its file lies. (Modules
+/// within a file, for tests and for sealing traits, call their file `super`.)
 #[test]
 fn paths_begin_at_the_crate() {
     for (file, text) in texts() {

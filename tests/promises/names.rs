@@ -3,7 +3,8 @@
 use crate::claims::sections::{Texts, texts};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The public types that a file declares. (`pub trait Sealed` stands in private modules, where nobody can name it.)
+/// The public types that a file declares. (`pub trait Sealed` stands in private modules, where nobody can
+/// name it.)
 fn declared(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter_map(|line| {
         let (kind, rest) = line.trim_start().strip_prefix("pub ")?.split_once(' ')?;

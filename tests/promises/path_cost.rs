@@ -1,5 +1,6 @@
-//! On x86-64 a path of factors takes the instructions of the loop that a hand would write with the same buffer and
-//! row kernel: counted by callgrind, at opt-level 3 and "s". (`tests/devices.sh` counts on Cortex-M.)
+//! On x86-64 a path of factors takes the instructions of the loop that a hand would write with the same
+//! buffer and row kernel: counted by callgrind, at opt-level 3 and "s". (`tests/devices.sh` counts on
+//! Cortex-M.)
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
 
 use crate::programs::Package;

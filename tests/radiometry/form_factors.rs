@@ -184,7 +184,8 @@ fn polygons_are_what_the_closed_forms_say() {
 
 #[test]
 fn elements_of_a_surface_add_up_to_its_solid_angle_and_form_factor() {
-    // A sphere of radius 1 at distance 3, in rings and sectors; the receiver is tilted so that all of it is up.
+    // A sphere of radius 1 at distance 3, in rings and sectors; the receiver is tilted so that all of it is
+    // up.
     let (radius, distance) = (1.0f64, 3.0);
     let normal = [0.6f32, 0.0, 0.8];
     let (mut solid_angle, mut factor) = (0.0, 0.0);

@@ -1,5 +1,5 @@
-//! What goes wrong in f32 if it is written naively, at the tolerance that the stable form holds: solid angles and
-//! form factors of what is small, far, huge, edge-on or nothing at all.
+//! What goes wrong in f32 if it is written naively, at the tolerance that the stable form holds: solid angles
+//! and form factors of what is small, far, huge, edge-on or nothing at all.
 #![cfg(feature = "libm")]
 
 use model::allowed::check;
@@ -226,7 +226,8 @@ fn disks_keep_their_solid_angle_on_and_off_their_axis() {
         }
     }
     off.tight_over_all();
-    // Half a radius above the disk, from its axis to two radii beside it: the integral by 15 digits elsewhere.
+    // Half a radius above the disk, from its axis to two radii beside it: the integral by 15 digits
+    // elsewhere.
     let table = [
         3.473_259_414_8,
         3.418_442_766_5,

@@ -110,8 +110,8 @@ fn relations_lead_there_and_back() {
 
 #[test]
 fn the_cosine_counts_once() {
-    // A beam of 1 W/m2 across the ray. A plate of 1 m2 at 60 degrees catches half a watt, and its irradiance is that
-    // over its area: the cosine is in the flux, and not a second time in E = dPhi / dA.
+    // A beam of 1 W/m2 across the ray. A plate of 1 m2 at 60 degrees catches half a watt, and its irradiance
+    // is that over its area: the cosine is in the flux, and not a second time in E = dPhi / dA.
     let beam = Irradiance::new(Radiant(1.0));
     let caught = beam.flux(0.5);
     assert_eq!(caught.irradiance(1.0), Irradiance::new(Radiant(0.5)));

@@ -1,6 +1,6 @@
 //! What an eight-channel chip reaches as a light meter: a simulated AS7341 under every lamp of CIE 15,
-//! calibrated on the 99 samples of CIE 224 under three lamps, with noise, full scale and whole counts. Prints a
-//! table.
+//! calibrated on the 99 samples of CIE 224 under three lamps, with noise, full scale and whole counts. Prints
+//! a table.
 
 use model::allowed::check;
 use model::noise::Noise;
@@ -27,7 +27,8 @@ const PER_WATT: f32 = 40.0;
 /// Illuminance of the lamps, and what the perfect white on the chart has under them.
 const LUX: f32 = 500.0;
 
-/// What the chip reports of a light: gain chosen so that the brightest channel is at 30 to 90 % of full scale.
+/// What the chip reports of a light: gain chosen so that the brightest channel is at 30 to 90 % of full
+/// scale.
 fn measured(light: &Fine<Power>, noise: &mut Noise) -> BasicCounts<8> {
     let basic = as7341::NOMINAL.sees(light).map(|b| b * PER_WATT);
     let brightest = basic.iter().fold(0.0f32, |most, b| most.max(*b));
@@ -66,7 +67,8 @@ fn xyz(light: &Fine<Power>) -> Xyz {
     Xyz::from(CIE_1931.sees(light)).scaled(KM)
 }
 
-/// The 297 patches: each sample under FL2, FL11 and LED-B3, its counts (with noise or without), its XYZ in lux.
+/// The 297 patches: each sample under FL2, FL11 and LED-B3, its counts (with noise or without), its XYZ in
+/// lux.
 fn calibrated(mut report: impl FnMut(&Fine<Power>) -> BasicCounts<8>) -> Fit<8> {
     let mut fit = Fit::new();
     for name in ["FL2", "FL11", "LED-B3"] {

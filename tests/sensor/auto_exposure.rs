@@ -11,8 +11,8 @@ fn counted(light: f64, exposure: &Exposure, mut noise: impl FnMut(f64) -> f64) -
     })
 }
 
-/// Basic counts over six decades, from hardly one count at the most sensitive exposure to just below full scale at
-/// the least sensitive one.
+/// Basic counts over six decades, from hardly one count at the most sensitive exposure to just below full
+/// scale at the least sensitive one.
 fn six_decades() -> impl Iterator<Item = f64> {
     (0..=600).map(|step| 7e-4 * 10_f64.powf(f64::from(step) / 100.0))
 }

@@ -51,8 +51,8 @@ fn uncertainties_are_the_spread_of_simulated_readings() {
         let xyz = to_xyz.xyz(&exposure.basic_counts(&exact).expect("counts")).expect("a color");
         let [x, y, z] = covariance.uncertainty().to_array();
         let cct = covariance.cct(xyz).expect("near the locus");
-        // The spread of so many draws is itself uncertain by 0.35 %; four times that, and 0.5 % for the bend of the
-        // locus over the noise.
+        // The spread of so many draws is itself uncertain by 0.35 %; four times that, and 0.5 % for the bend
+        // of the locus over the noise.
         for (of, (said, seen)) in ["X", "Y", "Z", "mired", "Duv"]
             .into_iter()
             .zip([x, y, z, cct.mired, cct.duv].into_iter().zip(drawn.iter().map(|all| spread(all).1)))

@@ -1,8 +1,8 @@
 //! What the number of bins costs: folded observers against a 0.1 nm truth.
 //!
 //! CIEDE2000 of the 99 color evaluation samples under the CIE fluorescent and LED lamps; "truth" is the f64
-//! model's integral every 0.1 nm of the same piecewise linear data. `examples/cost` sweeps more lamps, schemes and
-//! ranges; here is what must hold with every set of features.
+//! model's integral every 0.1 nm of the same piecewise linear data. `examples/cost` sweeps more lamps,
+//! schemes and ranges; here is what must hold with every set of features.
 
 use model::delta_e::de2000;
 use model::fine::{Curve as Line, FineEye};
@@ -193,7 +193,8 @@ fn sixteen_folded_bins_beat_sixty_that_are_not() {
         );
         assert!(mean(folded) < mean(plain), "{name}");
     }
-    // Every 0.1 nm it is 0.053 and 0.058 for the first two, with the tails cut off that are in the end bins here.
+    // Every 0.1 nm it is 0.053 and 0.058 for the first two, with the tails cut off that are in the end bins
+    // here.
     for ((name, plain), reference) in plain.iter().zip([0.053, 0.058]) {
         assert!((mean(plain) - reference).abs() < 0.006, "{name}: {}", mean(plain));
     }

@@ -1,5 +1,5 @@
-//! Every math backend against f64, over the whole domain of every function. (`every_f32` has the own functions at
-//! every number.)
+//! Every math backend against f64, over the whole domain of every function. (`every_f32` has the own
+//! functions at every number.)
 
 use model::allowed::check;
 use nanospectra::math::{self, Math};

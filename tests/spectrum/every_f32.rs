@@ -1,6 +1,7 @@
 //! Every f32 of the domain of every own function, against f64 or the hardware.
 //!
-//! `cargo test` tries every 251st, `cargo xtask full` every fifth. All of them, 200 s of one core (100 s on two):
+//! `cargo test` tries every 251st, `cargo xtask full` every fifth. All of them, 200 s of one core (100 s on
+//! two):
 //!
 //!     NANOSPECTRA_STRIDE=1 cargo test --release -p nanospectra --test spectrum every_f32
 
@@ -9,8 +10,8 @@ use nanospectra::math::{self, Fast, Math};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
-/// Every f32 from `first` to `last` (of one sign, by growing size) on all cores: none may be off by more than the
-/// entry allows. `error` is what is measured.
+/// Every f32 from `first` to `last` (of one sign, by growing size) on all cores: none may be off by more than
+/// the entry allows. `error` is what is measured.
 fn sweep(what: &'static str, first: f32, last: f32, error: impl Fn(f32) -> f64 + Sync) {
     let mut check = check(what);
     let (count, worst, at) = worst(first.to_bits()..=last.to_bits(), &error);
@@ -112,7 +113,8 @@ fn the_cube_roots_are_near_f64() {
     }
 }
 
-/// The function in f64, and near zero, where three in four of all f32 are, by two terms: as exact, and quicker.
+/// The function in f64, and near zero, where three in four of all f32 are, by two terms: as exact, and
+/// quicker.
 fn quickly(x: f32, f: impl Fn(f64) -> f64, two_terms: impl Fn(f64) -> f64) -> f64 {
     let size = x.abs();
     let x = f64::from(x);

@@ -1,6 +1,6 @@
-//! What goes wrong in f32 if it is written naively, at the tolerance that the stable form holds: Planck's law from
-//! 1 K to 1e12 K, long sums, extreme scales. (Color differences, Lab and transfer functions have files of
-//! their own; the locus has `cct.rs`, the roots have `backends.rs`.)
+//! What goes wrong in f32 if it is written naively, at the tolerance that the stable form holds: Planck's law
+//! from 1 K to 1e12 K, long sums, extreme scales. (Color differences, Lab and transfer functions have files
+//! of their own; the locus has `cct.rs`, the roots have `backends.rs`.)
 #![cfg(feature = "libm")]
 
 use model::allowed::{Singles, check};

@@ -1,4 +1,5 @@
-//! What lies at the ends of ranges and beyond them: limits that are reached, and inputs that are held or refused.
+//! What lies at the ends of ranges and beyond them: limits that are reached, and inputs that are held or
+//! refused.
 #![cfg(feature = "libm")]
 
 use nanospectra::geometry::{Direction, GaussLegendre, Hemisphere, Uniform};

@@ -1,5 +1,5 @@
-//! What is decided rather than rounded: what is refused, what lies outside, where a line on an edge goes, that a
-//! constant stays that constant at every number of bands.
+//! What is decided rather than rounded: what is refused, what lies outside, where a line on an edge goes,
+//! that a constant stays that constant at every number of bands.
 
 use nanospectra::color::Xyz;
 use nanospectra::light::{self, FL11};
@@ -9,8 +9,8 @@ use nanospectra::{
     Reflectance, RefractiveIndex, SamplesError, Spectrum,
 };
 
-/// Calls a function for every number of bands from 1 to 120; in a debug build, where each takes its time to compile,
-/// for those around the powers of two and the ones in use.
+/// Calls a function for every number of bands from 1 to 120; in a debug build, where each takes its time to
+/// compile, for those around the powers of two and the ones in use.
 macro_rules! for_every_n {
     ($f:ident) => {
         #[cfg(debug_assertions)]

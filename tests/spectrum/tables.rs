@@ -20,7 +20,8 @@ type Lamp = Spectrum<Power, 81, Nodes<380, 780>>;
 /// The same on 1 nm nodes.
 type Lamp1nm = Spectrum<Power, 401, Nodes<380, 780>>;
 
-/// Name in CIE 15, constant, its 1 nm version, x, y and CCT as printed there; Ra too, for lamps that have one.
+/// Name in CIE 15, constant, its 1 nm version, x, y and CCT as printed there; Ra too, for lamps that have
+/// one.
 struct Entry(&'static str, &'static Lamp, Option<&'static Lamp1nm>, f32, f32, f32, Option<f32>);
 
 macro_rules! lamps {

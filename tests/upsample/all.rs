@@ -1,5 +1,5 @@
-//! 8-bit sRGB colors, upsampled and looked at again: in plain `cargo test` every fifth level of each channel, and
-//! all 2^24 colors (`cargo xtask full` does so for the default map) with
+//! 8-bit sRGB colors, upsampled and looked at again: in plain `cargo test` every fifth level of each channel,
+//! and all 2^24 colors (`cargo xtask full` does so for the default map) with
 //!
 //!     NANOSPECTRA_STRIDE=1 cargo test --release -p nanospectra --test upsample all::
 #![cfg(feature = "libm")]

@@ -85,7 +85,8 @@ fn bits(solved: &Solved<SigmoidReflectance>) -> ([u32; 4], String) {
     (solved.spectrum.to_texel().map(f32::to_bits), format!("{:?}", solved.status))
 }
 
-/// What must hold for the reflectance of any finite color; `exact` is what `Exact` may be off by, in CIEDE2000.
+/// What must hold for the reflectance of any finite color; `exact` is what `Exact` may be off by, in
+/// CIEDE2000.
 fn assert_sound<const N: usize, G: nanospectra::Grid, S: RgbSpace, M: StartMap>(
     viewing: &Viewing<N, G, S>,
     sigmoid: &Sigmoid<N, G, S, M>,

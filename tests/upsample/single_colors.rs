@@ -1,4 +1,5 @@
-//! RGB to spectrum against the published and precomputed values of golden 08, and what holds for single colors.
+//! RGB to spectrum against the published and precomputed values of golden 08, and what holds for single
+//! colors.
 #![cfg(feature = "libm")]
 
 use crate::{LIGHT, cube};
@@ -111,7 +112,8 @@ fn smits_is_off_under_d65_and_says_so() {
     assert!((highest - 1.015).abs() < 2e-4 && (ripple - 8e-4).abs() < 1e-6, "{highest} {ripple}");
 }
 
-/// The share of a 17^3 cube that is solved; those are held to 0.002 CIEDE2000, the others must be off by 0.0005 or more.
+/// The share of a 17^3 cube that is solved; those are held to 0.002 CIEDE2000, the others must be off by
+/// 0.0005 or more.
 fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
     viewing: &Viewing<N, G, S>,
     decode: fn(f32) -> f32,

@@ -1,4 +1,5 @@
-//! The constants of `tables/upsample` are what this makes of the CIE's tables: it makes them again and compares.
+//! The constants of `tables/upsample` are what this makes of the CIE's tables: it makes them again and
+//! compares.
 //!
 //! `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables` writes the files instead.
 

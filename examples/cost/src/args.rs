@@ -21,7 +21,8 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 
-    /// Compare all but times with what is on record, and the README with that; exit code 1 if anything differs
+    /// Compare all but times with what is on record, and the README with that; exit code 1 if anything
+    /// differs
     #[arg(long)]
     pub check: bool,
 
@@ -45,7 +46,8 @@ pub struct Args {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "With --advise")]
 pub struct Limits {
-    /// Classes of lamps, commas between: smooth, halophosphate, triphosphor, led, hid, lines; fl: both kinds; rooms: all but lines; all
+    /// Classes of lamps, commas between: smooth, halophosphate, triphosphor, led, hid, lines; fl: both kinds;
+    /// rooms: all but lines; all
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "rooms", requires = "advise")]
     pub lamps: Vec<String>,
 

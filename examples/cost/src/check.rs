@@ -5,8 +5,8 @@ use serde_json::{Map, Value};
 /// By how much two figures may differ: one unit of their last digit.
 const ALIKE: f64 = 1.001e-3;
 
-/// One line for each figure, row or table that is not as recorded; times are not looked at. A table that was not
-/// measured now is none of them.
+/// One line for each figure, row or table that is not as recorded; times are not looked at. A table that was
+/// not measured now is none of them.
 pub fn differences(now: &Value, record: &Value) -> Vec<String> {
     let mut found = Vec::new();
     let (Some(now), Some(record)) = (now["tables"].as_object(), record["tables"].as_object()) else {

@@ -1,10 +1,10 @@
 //! What accuracy costs in time, measured again.
 //!
-//! `cargo run --release -p nanospectra-cost`; `--help` says the rest. Each of the [`studies`] compares choices with an f64
-//! reference and puts what they cost beside: instructions on record ([`counts`]), bytes, and nanoseconds here
-//! ([`clock`]). What it finds are tables ([`report`]), for a terminal ([`text`]) or a program ([`json`]); [`check`]
-//! compares them with those on record. Of the record ([`record`]) the chart ([`picture`]) and the tables of the
-//! README ([`readme`]) are [`made`], and by it [`advise`] chooses.
+//! `cargo run --release -p nanospectra-cost`; `--help` says the rest. Each of the [`studies`] compares
+//! choices with an f64 reference and puts what they cost beside: instructions on record ([`counts`]), bytes,
+//! and nanoseconds here ([`clock`]). What it finds are tables ([`report`]), for a terminal ([`text`]) or a
+//! program ([`json`]); [`check`] compares them with those on record. Of the record ([`record`]) the chart
+//! ([`picture`]) and the tables of the README ([`readme`]) are [`made`], and by it [`advise`] chooses.
 
 mod advise;
 mod args;

@@ -1,4 +1,5 @@
-//! The lamps and the samples every nanometer: sums of 471 terms, for what has nothing to do with the number of bins.
+//! The lamps and the samples every nanometer: sums of 471 terms, for what has nothing to do with the number
+//! of bins.
 
 use crate::xyz::lamps::{self, Class};
 use model::fine::Curve;

@@ -1,4 +1,5 @@
-//! What a study found: tables of figures that anyone can measure again, beside times that only this machine has.
+//! What a study found: tables of figures that anyone can measure again, beside times that only this machine
+//! has.
 
 use std::borrow::Cow;
 

@@ -29,8 +29,8 @@ impl Clock {
         ((periods * 1000 + per_1000 / 2) / per_1000) as u32
     }
 
-    /// Instructions of the longest of the calls. (`inputs` go through a `black_box`, so the compiler knows nothing of
-    /// them.)
+    /// Instructions of the longest of the calls. (`inputs` go through a `black_box`, so the compiler knows
+    /// nothing of them.)
     pub fn longest<A, R: Default>(&self, f: fn(&A, &mut R), inputs: &[A]) -> u32 {
         inputs.iter().map(|input| self.count(f, input, &mut R::default())).max().unwrap_or(0)
     }
@@ -45,8 +45,8 @@ fn span<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> u32 {
 pub(crate) type Erased = fn(*const (), *mut ());
 
 pub(crate) fn erase<A, R>(f: fn(&A, &mut R)) -> Erased {
-    // SAFETY: a reference to a sized value and a raw pointer have the same ABI; who calls it hands over the two
-    // that `f` takes.
+    // SAFETY: a reference to a sized value and a raw pointer have the same ABI; who calls it hands over the
+    // two that `f` takes.
     unsafe { transmute::<fn(&A, &mut R), Erased>(f) }
 }
 

@@ -1,5 +1,6 @@
-//! Where `defmt` writes: the standard output of whoever runs the emulator or holds the debugger, on Arm and RISC-V
-//! alike. (`defmt-semihosting` wants a critical section as well; these images have one thread and no interrupts.)
+//! Where `defmt` writes: the standard output of whoever runs the emulator or holds the debugger, on Arm and
+//! RISC-V alike. (`defmt-semihosting` wants a critical section as well; these images have one thread and no
+//! interrupts.)
 
 use core::cell::UnsafeCell;
 use defmt::{Encoder, Logger};

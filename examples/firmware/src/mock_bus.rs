@@ -1,5 +1,5 @@
-//! An AS7341 on an I2C bus, as far as a driver can tell: registers that can be written and read, photodiodes that
-//! the multiplexer's 20 bytes connect to converters, and measurements that are done at once.
+//! An AS7341 on an I2C bus, as far as a driver can tell: registers that can be written and read, photodiodes
+//! that the multiplexer's 20 bytes connect to converters, and measurements that are done at once.
 
 use embedded_hal::delay::DelayNs;
 use embedded_hal::i2c::{ErrorKind, ErrorType, I2c, NoAcknowledgeSource, Operation, SevenBitAddress};
@@ -13,8 +13,8 @@ const DATA: usize = 0x95;
 const STATUS2: usize = 0xa3;
 const VALID: u8 = 1 << 6;
 
-/// F1 to F8, Clear, NIR: the register, and the bits of it, that say which converter counts for this diode (1 to 6,
-/// 0 for none). Each diode has a second half elsewhere, always connected alike.
+/// F1 to F8, Clear, NIR: the register, and the bits of it, that say which converter counts for this diode (1
+/// to 6, 0 for none). Each diode has a second half elsewhere, always connected alike.
 const CONNECTIONS: [(usize, u8); 10] = [
     (0x01, 0),
     (0x05, 0),
@@ -84,7 +84,8 @@ impl ErrorType for As7341Registers {
 }
 
 impl I2c for As7341Registers {
-    /// The first byte written is an address, the others go there and on; what is read comes from there and on.
+    /// The first byte written is an address, the others go there and on; what is read comes from there and
+    /// on.
     fn transaction(
         &mut self,
         address: SevenBitAddress,

@@ -6,7 +6,8 @@ use nanospectra::math::Fast;
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter};
 use nanospectra::sensor::{Calibration, Meter, ReadingError};
 
-/// Basic counts to XYZ with Y in lux: the smooth spectrum behind the nominal channels, seen by the CIE 1931 observer.
+/// Basic counts to XYZ with Y in lux: the smooth spectrum behind the nominal channels, seen by the CIE 1931
+/// observer.
 pub static TO_XYZ: Calibration<8> = Calibration::from_rows([
     [2.283, 18.13, 2.785, 1.332, 14.85, 43.1, 23.85, -0.2993],
     [-0.5321, 2.728, 0.4422, 26.31, 40.98, 26.91, 9.224, -0.1845],

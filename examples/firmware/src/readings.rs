@@ -1,8 +1,8 @@
 //! What an AS7341 has said: counts of its channels F1 to F8, all in one exposure.
 //!
-//! No chip was at hand: these are counts of the nominal channels (`nanospectra::sensor::chip::as7341::NOMINAL`) under
-//! lamps of the CIE, at the illuminance given. What a chip on a bench says has noise, and channels 5 to 10 nm
-//! elsewhere.
+//! No chip was at hand: these are counts of the nominal channels
+//! (`nanospectra::sensor::chip::as7341::NOMINAL`) under lamps of the CIE, at the illuminance given. What a
+//! chip on a bench says has noise, and channels 5 to 10 nm elsewhere.
 
 use nanospectra::sensor::{Exposure, chip::as7341};
 

@@ -25,7 +25,8 @@ fn depth<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> usize {
     painted(erase(f), (&raw const *input).cast(), (&raw mut *output).cast())
 }
 
-/// One frame for every call that is measured. Nothing but `f` is called from it: all else stays above the paint.
+/// One frame for every call that is measured. Nothing but `f` is called from it: all else stays above the
+/// paint.
 #[inline(never)]
 fn painted(f: Erased, input: *const (), output: *mut ()) -> usize {
     let (f, input) = black_box((f, input));

@@ -1,7 +1,8 @@
-//! The steps of the price list: what they are called, what they do, and the inputs of which the dearest counts.
+//! The steps of the price list: what they are called, what they do, and the inputs of which the dearest
+//! counts.
 //!
-//! A step is one function (not inlined, from memory to memory) and one line in [`all`]; `tests/devices.sh` puts
-//! every name that it has not seen before on record.
+//! A step is one function (not inlined, from memory to memory) and one line in [`all`]; `tests/devices.sh`
+//! puts every name that it has not seen before on record.
 
 use crate::pipeline::{Color, FIXED_METER, METER, TO_XYZ, WHITE, measure};
 use crate::readings::{BLACK_BODY, DAYLIGHT, EXPOSURE, FLUORESCENT, INCANDESCENT, LED};

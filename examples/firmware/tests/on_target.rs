@@ -5,7 +5,8 @@
 //! cargo test --target thumbv6m-none-eabi  # and on a board, in QEMU by run.sh or on your desk by probe-rs
 //! ```
 //!
-//! Exits with 1 if a check fails. With `MUST_FAIL=1` in the environment of the build one does: a test of the test.
+//! Exits with 1 if a check fails. With `MUST_FAIL=1` in the environment of the build one does: a test of the
+//! test.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use as7341::{As7341, Gain};

@@ -1,8 +1,9 @@
 //! nanospectra as wasm modules: plain exports over fixed memory, no allocator, no glue code.
 //!
-//! Each feature is a module of its own (`tools/build.mjs` builds them): `light`, `paint`, `scene`, `core`, `bands`, `cost`,
-//! `lists` for the build, and `bits` for `tests/devices.sh`. JavaScript writes numbers into the buffers of [`board`], calls a function,
-//! and reads numbers from a buffer; `package/nanospectra.js` is that JavaScript.
+//! Each feature is a module of its own (`tools/build.mjs` builds them): `light`, `paint`, `scene`, `core`,
+//! `bands`, `cost`, `lists` for the build, and `bits` for `tests/devices.sh`. JavaScript writes numbers into
+//! the buffers of [`board`], calls a function, and reads numbers from a buffer; `package/nanospectra.js` is
+//! that JavaScript.
 #![no_std]
 
 #[cfg(feature = "bands")]

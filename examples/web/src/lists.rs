@@ -2,8 +2,8 @@
 
 use nanospectra::{light, observer};
 
-/// Item `index` of a list: names of illuminants, those for a message (one item), names of observers, their titles.
-/// Empty behind the last.
+/// Item `index` of a list: names of illuminants, those for a message (one item), names of observers, their
+/// titles. Empty behind the last.
 fn item(list: u32, index: u32) -> &'static str {
     let index = index as usize;
     let observer = observer::NAMED.get(index);

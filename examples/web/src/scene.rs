@@ -101,7 +101,8 @@ extern "C" fn factors(count: u32, matt: u32) -> u32 {
     }
 }
 
-/// A filter of absorbances for each cm, or with `matt` a surface behind such a layer. Gives 6 for what is none.
+/// A filter of absorbances for each cm, or with `matt` a surface behind such a layer. Gives 6 for what is
+/// none.
 #[unsafe(no_mangle)]
 extern "C" fn absorber(count: u32, path_m: f32, matt: u32) -> u32 {
     let absorbance = match read(given(&board().samples, count), Outside::Hold) {
@@ -145,7 +146,8 @@ extern "C" fn dye(reflectance: u32, absorption: u32, emission: u32, quantum_yiel
     }
 }
 
-/// A thin film, reflecting or transmitting, met at an angle of this cosine. Without interference it is a plate.
+/// A thin film, reflecting or transmitting, met at an angle of this cosine. Without interference it is a
+/// plate.
 #[unsafe(no_mangle)]
 extern "C" fn film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmitted: u32) -> u32 {
     let share = |thickness_nm| {
@@ -186,7 +188,8 @@ mod at {
     /// 81 numbers each: the lamp, and what leaves.
     pub const LIT: usize = 0;
     pub const LEAVING: usize = 81;
-    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB and whether it was clipped; 8-bit sRGB of the lamp (and whether).
+    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB and whether it was clipped; 8-bit sRGB of the lamp (and
+    /// whether).
     pub const LOOK: usize = 162;
     /// Multiply-adds and bytes: walked, folded.
     pub const PRICES: usize = 178;

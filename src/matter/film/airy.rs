@@ -1,10 +1,9 @@
 //! The interference of the beams between two faces, in f32 forms that neither cancel nor overflow.
 //!
-//! With tilted admittances y = n cos(theta) (s) or cos(theta) / n (p) of the three media and the phase phi of one
-//! crossing, 1 - R = T = 4 y0 y2 / D and R = N / D, where
-//! N = (y0 - y2)^2 cos^2(phi) + (y0 y2 - y1^2)^2 sin^2(phi) / y1^2 and
-//! D = (y0 + y2)^2 cos^2(phi) + (y0 y2 + y1^2)^2 sin^2(phi) / y1^2.
-//! All terms are positive, and the differences come from those of the indices.
+//! With tilted admittances y = n cos(theta) (s) or cos(theta) / n (p) of the three media and the phase phi of
+//! one crossing, 1 - R = T = 4 y0 y2 / D and R = N / D, where N = (y0 - y2)^2 cos^2(phi) + (y0 y2 - y1^2)^2
+//! sin^2(phi) / y1^2 and D = (y0 + y2)^2 cos^2(phi) + (y0 y2 + y1^2)^2 sin^2(phi) / y1^2. All terms are
+//! positive, and the differences come from those of the indices.
 
 use crate::math::{Double, Math, sqrt};
 use crate::matter::PowerShares;
@@ -30,7 +29,8 @@ impl Tilted {
     pub(super) fn new(n: [f32; 3], cos0: f32) -> Self {
         let [n0, n1, n2] = n;
         let square = |x| Double::product(x, x);
-        // n^2 - n0^2 + (n0 cos)^2: exact where the indices are equal, and by its 48 bits where they are far apart.
+        // n^2 - n0^2 + (n0 cos)^2: exact where the indices are equal, and by its 48 bits where they are far
+        // apart.
         let slant = Double::product(n0, cos0);
         let squared = |n| square(n).minus(square(n0)).plus(slant.times(slant));
         let film2 = squared(n1);
@@ -64,7 +64,8 @@ impl Tilted {
         let over = (n0 - n2) * (n0 + n2);
         let s = Faces { first: self.first, film, last, down, up, over, per_index: 1.0 };
         let [m0, m1, m2] = [n0 * n0, n1 * n1, n2 * n2];
-        // Per medium the squares of the sine and of the cosine, which near grazing is no longer 1 less the sine's.
+        // Per medium the squares of the sine and of the cosine, which near grazing is no longer 1 less the
+        // sine's.
         let film2 = if self.fades { -film * film } else { film * film };
         let light = [self.across / m0, self.cos0 * self.cos0];
         let inside = [self.across / m1, film2 / m1];
@@ -197,8 +198,8 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The fringes integrated over the phase once, 2 sum(q^m sin(m delta) / m), and twice, -2 sum(q^m cos(m delta)
-    /// / m^2). The first in closed form; the second, which is only a correction, to eight terms.
+    /// The fringes integrated over the phase once, 2 sum(q^m sin(m delta) / m), and twice, -2 sum(q^m cos(m
+    /// delta) / m^2). The first in closed form; the second, which is only a correction, to eight terms.
     fn integrals<M: Math>(&self, q: f32) -> [f32; 2] {
         let half = Double { high: 0.5 * self.turns.high, low: 0.5 * self.turns.low }.fraction();
         let (sine, cosine) = (M::sin_turns(half), M::cos_turns(half));

@@ -30,8 +30,9 @@ pub struct Layer {
     pub thickness_nm: f32,
 }
 
-/// `L` layers on a substrate, as one wavelength meets them, coherent throughout: a substrate of millimeters belongs
-/// behind the stack (as `substrate`) or into a filter of its own. What disperses makes a stack for each wavelength.
+/// `L` layers on a substrate, as one wavelength meets them, coherent throughout: a substrate of millimeters
+/// belongs behind the stack (as `substrate`) or into a filter of its own. What disperses makes a stack for
+/// each wavelength.
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -64,15 +65,16 @@ impl Medium {
 }
 
 impl<const L: usize> Stack<L> {
-    /// What becomes of light of one wavelength, s and p polarized; NaN where an index or a thickness is out of range.
-    /// `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
+    /// What becomes of light of one wavelength, s and p polarized; NaN where an index or a thickness is out
+    /// of range. `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence,
+    /// held within 0..=1.
     ///
     /// # Accuracy
-    /// 2e-4 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05: the worst that a
-    /// search has found, at sharp resonances. Of 100 000 such stacks drawn at random, none is off by more than 5e-6.
-    /// Except at normal incidence thicker layers add some roundings for each turn of phase. The shares of clear layers
-    /// add up to 1 within 2e-7, and those of absorbing ones, of any thickness, within 1e-6
-    /// (`tests/matter/films_properties.rs`).
+    /// 2e-4 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05: the worst
+    /// that a search has found, at sharp resonances. Of 100 000 such stacks drawn at random, none is off by
+    /// more than 5e-6. Except at normal incidence thicker layers add some roundings for each turn of phase.
+    /// The shares of clear layers add up to 1 within 2e-7, and those of absorbing ones, of any thickness,
+    /// within 1e-6 (`tests/matter/films_properties.rs`).
     ///
     /// # Cost
     /// Two exponentials, a sine and a cosine for each layer.
@@ -100,7 +102,8 @@ impl<const L: usize> Stack<L> {
         let first = self.incident * cos;
         let across = self.incident * self.incident * (1.0 - cos) * (1.0 + cos);
         let last = tilted(self.substrate, self.incident, first, across);
-        // Fields per polarization (s: electric and magnetic; p: the other way round), from the last face upwards.
+        // Fields per polarization (s: electric and magnetic; p: the other way round), from the last face
+        // upwards.
         let mut waves = [last, last * self.substrate.square().inverse()]
             .map(|end| Wave { fields: [ONE, end], arriving: end.re });
         for layer in self.layers.iter().rev() {
@@ -152,7 +155,8 @@ impl Wave {
         let entering = 4.0 * first * (one.re * other.re + one.im * other.im) / all;
         let transmitted = 4.0 * first * self.arriving / all;
         let reflected = (one.times(first) - other).power() / all;
-        // A sharp resonance magnifies the rounding of what arrives: up to 1 % of it, and no light comes from nowhere.
+        // A sharp resonance magnifies the rounding of what arrives: up to 1 % of it, and no light comes from
+        // nowhere.
         let both = reflected + transmitted;
         let (whole, absorbed) = if clear { (both, 0.0) } else { (both.max(1.0), entering - transmitted) };
         PowerShares { reflected: reflected / whole, transmitted: transmitted / whole, absorbed }.held()
@@ -198,11 +202,11 @@ impl Crossing {
     }
 }
 
-/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light; `stack` makes the stack of
-/// a wavelength in nm, and `cos_theta` is as in [`Stack::at`].
+/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light; `stack` makes the
+/// stack of a wavelength in nm, and `cos_theta` is as in [`Stack::at`].
 ///
-/// Each bin is read in `panels` pieces of three points: one for each fringe in a bin at least; ten for each hold the
-/// mean to some 1e-6.
+/// Each bin is read in `panels` pieces of three points: one for each fringe in a bin at least; ten for each
+/// hold the mean to some 1e-6.
 ///
 /// ```
 /// use nanospectra::matter::{Layer, Medium, Stack, stack_bins};

@@ -36,8 +36,8 @@ impl<F: Fn(f32) -> [f32; 3]> FilmIndices for F {
 /// One layer that does not absorb, between two media that do not: Airy's formula, all beams included.
 ///
 /// What a bin of a spectrum gets is the mean over the bin. A point at its center is another thing as soon as
-/// fringes are as narrow as bins: of a film of 1 mm, 31 points show one of thousands of fringes each, and a color
-/// that is not there.
+/// fringes are as narrow as bins: of a film of 1 mm, 31 points show one of thousands of fringes each, and a
+/// color that is not there.
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -61,8 +61,8 @@ pub struct ThinFilm<I = [f32; 3]> {
 const MANY_TURNS: f32 = 1e12;
 
 impl<I: FilmIndices> ThinFilm<I> {
-    /// A film of `thickness_nm` >= 0 and the indices before, in and behind it, each 1e-3..=1e3: three numbers, or
-    /// a function of the wavelength (`|nm| [1.0, 1.324 + 3046.0 / (nm * nm), 1.0]`).
+    /// A film of `thickness_nm` >= 0 and the indices before, in and behind it, each 1e-3..=1e3: three
+    /// numbers, or a function of the wavelength (`|nm| [1.0, 1.324 + 3046.0 / (nm * nm), 1.0]`).
     ///
     /// What is outside these ranges is no film: all it gives is NaN. An infinite thickness is a plate without
     /// interference.
@@ -72,13 +72,14 @@ impl<I: FilmIndices> ThinFilm<I> {
 
     /// What becomes of light of one wavelength: s and p polarized.
     ///
-    /// `nm`, above 0 and up to 1e9, is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence, held within 0..=1.
+    /// `nm`, above 0 and up to 1e9, is the wavelength in vacuum; `cos_theta` the cosine of the angle of
+    /// incidence, held within 0..=1.
     ///
     /// # Accuracy
-    /// 12 units of 2^-24, relative, for the faintest film. For light from air and indices of 1 to 4 it is 7e-6 absolute
-    /// at cosines from 0.05 and 2e-6 from 0.2; the phase is kept to 48 bits, so this holds for a film of 10 cm too.
-    /// Light from a denser medium than the film is worse off beside the critical angle, the more the thicker the
-    /// film: 6e-4 at 7 cm is the worst that a search has found.
+    /// 12 units of 2^-24, relative, for the faintest film. For light from air and indices of 1 to 4 it is
+    /// 7e-6 absolute at cosines from 0.05 and 2e-6 from 0.2; the phase is kept to 48 bits, so this holds for
+    /// a film of 10 cm too. Light from a denser medium than the film is worse off beside the critical angle,
+    /// the more the thicker the film: 6e-4 at 7 cm is the worst that a search has found.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn at(&self, nm: f32, cos_theta: f32) -> [PowerShares; 2] {
@@ -97,8 +98,8 @@ impl<I: FilmIndices> ThinFilm<I> {
         [s.coherent(tilted.fades, crossing), p.coherent(tilted.fades, crossing)]
     }
 
-    /// By how much a beam that went to and fro in the film lags behind the one before: the fraction of a turn,
-    /// -1/2..=1/2, of 2 n d cos(theta1) / lambda. NaN where no light travels in the film.
+    /// By how much a beam that went to and fro in the film lags behind the one before: the fraction of a
+    /// turn, -1/2..=1/2, of 2 n d cos(theta1) / lambda. NaN where no light travels in the film.
     ///
     /// # Accuracy
     /// 2e-7 turns, for a film of 10 cm as for one of 100 nm.
@@ -115,15 +116,15 @@ impl<I: FilmIndices> ThinFilm<I> {
     /// `cos_theta` is the cosine of the angle of incidence, held within 0..=1.
     ///
     /// # Accuracy
-    /// Of the mean over a bin, absolute, for films of 1 nm to 0.1 mm in bins of 1 to 22 nm: 3e-6 for soap and for
-    /// coated lenses, 1.3e-5 for n = 2.4 on glass, 2.2e-5 at grazing angles and for an air gap in silicon, where
-    /// faces reflect 36 %. A soap film of 1 mm has its color within 0.02 CIEDE2000 in 16, 31 or 60 bins (points at
-    /// their centers: 2 to 20), one of 20 um within 0.6, 0.2 and 0.14.
+    /// Of the mean over a bin, absolute, for films of 1 nm to 0.1 mm in bins of 1 to 22 nm: 3e-6 for soap and
+    /// for coated lenses, 1.3e-5 for n = 2.4 on glass, 2.2e-5 at grazing angles and for an air gap in
+    /// silicon, where faces reflect 36 %. A soap film of 1 mm has its color within 0.02 CIEDE2000 in 16, 31
+    /// or 60 bins (points at their centers: 2 to 20), one of 20 um within 0.6, 0.2 and 0.14.
     ///
     /// # Cost
-    /// Films of few fringes are read at three points in each bin; more where the phase runs through more than a
-    /// part of a fringe, up to 768 if the faces reflect nearly all. From a fringe and a quarter in a bin on, the
-    /// fringes are integrated: what two ends cost, whatever the thickness.
+    /// Films of few fringes are read at three points in each bin; more where the phase runs through more than
+    /// a part of a fringe, up to 768 if the faces reflect nearly all. From a fringe and a quarter in a bin
+    /// on, the fringes are integrated: what two ends cost, whatever the thickness.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn reflectance<const N: usize, G: Grid>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
@@ -153,7 +154,8 @@ impl<I: FilmIndices> ThinFilm<I> {
         self.bins_with::<Portable, N, G>(cos_theta, |shares| shares.transmitted)
     }
 
-    /// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light, on any math backend.
+    /// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light, on any math
+    /// backend.
     #[must_use]
     pub fn bins_with<M: Math, const N: usize, G: Grid>(
         &self,
@@ -165,8 +167,8 @@ impl<I: FilmIndices> ThinFilm<I> {
 
     /// The mean over the wavelengths from `low_nm` to `high_nm`, each the same share: s and p polarized.
     ///
-    /// Where it has many fringes their integral over the phase is taken in closed form (the sum over all beams is
-    /// an arc tangent) and the phase's change of pace by its next order.
+    /// Where it has many fringes their integral over the phase is taken in closed form (the sum over all
+    /// beams is an arc tangent) and the phase's change of pace by its next order.
     #[must_use]
     pub fn between_with<M: Math>(&self, low_nm: f32, high_nm: f32, cos_theta: f32) -> [PowerShares; 2] {
         let width = high_nm - low_nm;

@@ -13,11 +13,12 @@ use core::marker::PhantomData;
 /// Fluorescent matter of any kind: which share of the light of bin `i` leaves in bin `k`, for all `k >= i`
 /// (Donaldson's bispectral radiance factors, packed). The diagonal is the ordinary reflectance.
 ///
-/// `P` is the number of pairs, `N * (N + 1) / 2`: `Donaldson<31, 496>`. Any other does not pass `cargo build`.
+/// `P` is the number of pairs, `N * (N + 1) / 2`: `Donaldson<31, 496>`. Any other does not pass
+/// `cargo build`.
 ///
 /// # Cost
-/// `P` multiply-adds and `4 P` bytes: at 31 bins light off a matrix to XYZ takes 4900 instructions on a Cortex-M4F.
-/// Folded into the eye it takes none: a static scene with a vest in it is 327, as any other.
+/// `P` multiply-adds and `4 P` bytes: at 31 bins light off a matrix to XYZ takes 4900 instructions on a
+/// Cortex-M4F. Folded into the eye it takes none: a static scene with a vest in it is 327, as any other.
 ///
 /// # Reference
 /// R. Donaldson, "Spectrophotometry of fluorescent pigments", Brit. J. Appl. Phys. 5 (1954).
@@ -35,12 +36,12 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         Donaldson { columns: [0.0; P], grid: PhantomData }
     };
 
-    /// Fluorescent matter from a measured matrix: `matrix[k][i]` is the share of the light of bin `i` that leaves in
-    /// bin `k`, as power per nm in and out.
+    /// Fluorescent matter from a measured matrix: `matrix[k][i]` is the share of the light of bin `i` that
+    /// leaves in bin `k`, as power per nm in and out.
     ///
     /// # Errors
-    /// Values that are negative or not finite; any below the diagonal's wavelength (`k < i`) other than zero; light
-    /// of one bin that leaves with more energy, or as more photons, than it came.
+    /// Values that are negative or not finite; any below the diagonal's wavelength (`k < i`) other than zero;
+    /// light of one bin that leaves with more energy, or as more photons, than it came.
     ///
     /// ```
     /// use nanospectra::matter::{Donaldson, FluorescenceError};

@@ -11,12 +11,13 @@ use crate::sum::rows;
 use core::array::from_ref;
 use core::marker::PhantomData;
 
-/// A fluorescent dye: a surface (or a filter) that reflects as any other, and besides glows in its own color, however
-/// it was excited (Kasha's and Vavilov's rules).
+/// A fluorescent dye: a surface (or a filter) that reflects as any other, and besides glows in its own color,
+/// however it was excited (Kasha's and Vavilov's rules).
 ///
-/// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`, emission at shorter
-/// waves than are absorbed included. These are two numbers more for each bin than a surface has; the full
-/// [`Donaldson`](crate::matter::Donaldson) matrix has `N / 2`, and differs by 0.08 CIEDE2000 for the vest below.
+/// What leaves bin `k` is `reflectance[k] * light[k] + emission[k] * sum(absorption * light)`, emission at
+/// shorter waves than are absorbed included. These are two numbers more for each bin than a surface has; the
+/// full [`Donaldson`](crate::matter::Donaldson) matrix has `N / 2`, and differs by 0.08 CIEDE2000 for the
+/// vest below.
 ///
 /// ```
 /// use nanospectra::matter::Dye;
@@ -37,10 +38,10 @@ use core::marker::PhantomData;
 /// ```
 ///
 /// # Accuracy
-/// A vest in fluorescent yellow, each on its own white, under FL1 to FL12, the CIE LEDs, D65 and A, against 1 nm in
-/// f64: 0.03 CIEDE2000 in 60 bins of the default grid, 0.09 in 31, 0.4 in 16; leaving the glow out costs 7 to 18
-/// (`tests/matter/fluorescence.rs`). A grid that ends within the absorption loses what is beyond: 3 % of Y in daylight for
-/// a dye that absorbs down to 360 nm, on a grid from 380 nm.
+/// A vest in fluorescent yellow, each on its own white, under FL1 to FL12, the CIE LEDs, D65 and A, against 1
+/// nm in f64: 0.03 CIEDE2000 in 60 bins of the default grid, 0.09 in 31, 0.4 in 16; leaving the glow out
+/// costs 7 to 18 (`tests/matter/fluorescence.rs`). A grid that ends within the absorption loses what is
+/// beyond: 3 % of Y in daylight for a dye that absorbs down to 360 nm, on a grid from 380 nm.
 ///
 /// # Cost
 /// At 31 bins light off a dye to XYZ takes 533 instructions on a Cortex-M4F, off a plain surface 378.
@@ -123,17 +124,18 @@ impl core::error::Error for FluorescenceError {}
 pub(super) const ROUNDING: f64 = 1e-6;
 
 impl<const N: usize, G: Bands> Dye<N, G> {
-    /// A dye from what can be measured: the reflectance without the glow, the absorbed share of the light of each bin
-    /// (0..=1), the emission (power per nm, in any unit), and the quantum yield (photons emitted for each absorbed,
-    /// 0..=1).
+    /// A dye from what can be measured: the reflectance without the glow, the absorbed share of the light of
+    /// each bin (0..=1), the emission (power per nm, in any unit), and the quantum yield (photons emitted for
+    /// each absorbed, 0..=1).
     ///
-    /// Give them at 1 nm and [`resample`](Self::resample) the result, or fold it. Absorption below the grid, in the
-    /// ultraviolet, is lost: optical brighteners need a grid from 300 nm. Computes in f64, for `const` use.
+    /// Give them at 1 nm and [`resample`](Self::resample) the result, or fold it. Absorption below the grid,
+    /// in the ultraviolet, is lost: optical brighteners need a grid from 300 nm. Computes in f64, for `const`
+    /// use.
     ///
     /// # Errors
-    /// Values that are negative or not finite, no emission, a yield outside 0..=1; or a bin whose light leaves with
-    /// more energy than it came with: reflectance and absorption above 1 together, or long waves that come back as
-    /// short ones (at a low yield they may, as the tails of real dyes overlap).
+    /// Values that are negative or not finite, no emission, a yield outside 0..=1; or a bin whose light
+    /// leaves with more energy than it came with: reflectance and absorption above 1 together, or long waves
+    /// that come back as short ones (at a low yield they may, as the tails of real dyes overlap).
     pub const fn new(
         reflectance: &Spectrum<Factor, N, G>,
         absorption: &Spectrum<Factor, N, G>,
@@ -177,8 +179,8 @@ impl<const N: usize, G: Bands> Dye<N, G> {
         Ok(dye)
     }
 
-    /// The same dye on another grid: exact for light that is constant within each of the new bins, and the emitted
-    /// energy is kept. Beyond this grid the reflectance is held, and nothing is absorbed or emitted.
+    /// The same dye on another grid: exact for light that is constant within each of the new bins, and the
+    /// emitted energy is kept. Beyond this grid the reflectance is held, and nothing is absorbed or emitted.
     #[must_use]
     pub fn resample<const M: usize, H: Grid>(&self) -> Dye<M, H>
     where

@@ -10,7 +10,8 @@ use crate::observer::Stimulus;
 use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Power, Spectrum};
 
-/// A dye that emits what it absorbed later, by one exponential decay: afterglow paint, the red of a lamp's phosphor.
+/// A dye that emits what it absorbed later, by one exponential decay: afterglow paint, the red of a lamp's
+/// phosphor.
 ///
 /// It holds its state, the glow; as a surface in a path it is that of the moment.
 ///
@@ -63,11 +64,12 @@ impl<const N: usize, G> Phosphor<N, G> {
 
     /// Lets `duration_s` seconds (zero or more; NaN below) go by under a light that does not change.
     ///
-    /// Two steps are the same as one as long as both. Light beyond what f32 can add up counts as half of `f32::MAX`.
+    /// Two steps are the same as one as long as both. Light beyond what f32 can add up counts as half of
+    /// `f32::MAX`.
     ///
     /// # Accuracy
-    /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26 lifetimes
-    /// are off by 3e-8 from one as long as all (`tests/matter/fluorescence.rs`).
+    /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26
+    /// lifetimes are off by 3e-8 from one as long as all (`tests/matter/fluorescence.rs`).
     #[cfg(feature = "libm")]
     pub fn step<S: Stimulus<Power, N, G>>(&mut self, light: S, duration_s: f32) {
         self.step_with::<Portable, S>(light, duration_s);
@@ -97,7 +99,8 @@ impl<const N: usize, G> Phosphor<N, G> {
     }
 }
 
-/// It emits the glow of this moment, whatever light falls on it. So it is not linear in the light, and does not fold.
+/// It emits the glow of this moment, whatever light falls on it. So it is not linear in the light, and does
+/// not fold.
 impl<const N: usize, G> Effect<N, G> for Phosphor<N, G> {
     #[inline]
     fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {

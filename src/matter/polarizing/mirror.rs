@@ -6,8 +6,8 @@ use crate::matter::polarizing::mueller::along_and_across;
 use crate::matter::{Conductor, Mueller};
 use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
-/// A smooth surface that mirrors the light at one angle of incidence; its axis is the direction *across* the plane of
-/// incidence (s, parallel to the surface).
+/// A smooth surface that mirrors the light at one angle of incidence; its axis is the direction *across* the
+/// plane of incidence (s, parallel to the surface).
 ///
 /// ```
 /// use nanospectra::{Bins, Light, matter::Mirror};
@@ -23,12 +23,12 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// ```
 ///
 /// # Accuracy
-/// 8e-7 of the incident light, up to 89 degrees, and its phase 3e-7; beside the critical angle what the rounding of
-/// the cosine costs (`tests/matter/polarization.rs`).
+/// 8e-7 of the incident light, up to 89 degrees, and its phase 3e-7; beside the critical angle what the
+/// rounding of the cosine costs (`tests/matter/polarization.rs`).
 ///
 /// # Cost
-/// 16 bytes for each bin and 8. Light off two mirrors to XYZ takes 800 instructions at 31 bins on a Cortex-M4F; folded into
-/// the eye none.
+/// 16 bytes for each bin and 8. Light off two mirrors to XYZ takes 800 instructions at 31 bins on a
+/// Cortex-M4F; folded into the eye none.
 pub struct Mirror<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
 
 by_fields!([const N: usize, G] Mirror<N, G>, "Mirror": 0);
@@ -41,12 +41,14 @@ impl<const N: usize, G> Mirror<N, G> {
         &self.0
     }
 
-    /// A mirror of glass, water or varnish: `eta` is the index of refraction of each bin, relative to the medium the
-    /// light comes from; `cos_incidence` 0..=1 is the cosine of the angle of incidence, `s_axis_turns` the direction
-    /// across the plane of incidence, in turns from the reference direction of the light.
+    /// A mirror of glass, water or varnish: `eta` is the index of refraction of each bin, relative to the
+    /// medium the light comes from; `cos_incidence` 0..=1 is the cosine of the angle of incidence,
+    /// `s_axis_turns` the direction across the plane of incidence, in turns from the reference direction of
+    /// the light.
     ///
-    /// Total reflection (`eta` below 1) has its phase. An `eta` of 1 is no surface, at any angle; light from behind
-    /// (`cos_incidence` below 0) is not reflected. A cosine above 1 counts as 1, an `eta` above 1e15 as that.
+    /// Total reflection (`eta` below 1) has its phase. An `eta` of 1 is no surface, at any angle; light from
+    /// behind (`cos_incidence` below 0) is not reflected. A cosine above 1 counts as 1, an `eta` above 1e15
+    /// as that.
     #[must_use]
     pub const fn dielectric(eta: &[f32; N], cos_incidence: f32, s_axis_turns: f32) -> Self {
         let mut elements = [[0.0; 4]; N];
@@ -54,8 +56,8 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// A mirror of metal: `eta` and `k` are the parts of its index in each bin, relative to the medium the light comes
-    /// from; angles as for [`dielectric`](Self::dielectric).
+    /// A mirror of metal: `eta` and `k` are the parts of its index in each bin, relative to the medium the
+    /// light comes from; angles as for [`dielectric`](Self::dielectric).
     ///
     /// ```
     /// # use nanospectra::{Light, Spectrum, matter::Mirror};
@@ -88,10 +90,10 @@ impl<const N: usize, G> Mirror<N, G> {
         Mirror(Mueller::new(elements, s_axis_turns))
     }
 
-    /// A mirror of known reflectances (a stack of films, a measured mirror), from those across the plane of incidence
-    /// (s) and in it (p), 0..=1 (below: 0), and the cosine and sine of the phase of s against p, whose squares add up
-    /// to 1. That phase is 0 at right angles (where many textbooks have half a turn); the s axis as for
-    /// [`dielectric`](Self::dielectric).
+    /// A mirror of known reflectances (a stack of films, a measured mirror), from those across the plane of
+    /// incidence (s) and in it (p), 0..=1 (below: 0), and the cosine and sine of the phase of s against p,
+    /// whose squares add up to 1. That phase is 0 at right angles (where many textbooks have half a turn);
+    /// the s axis as for [`dielectric`](Self::dielectric).
     #[must_use]
     pub const fn new(
         s: &Spectrum<Factor, N, G>,
@@ -127,7 +129,8 @@ const fn dielectric(eta: f32, cos: f32) -> [f32; 4] {
     let sin_2 = (1.0 - cos) * (1.0 + cos);
     let g_2 = excess + cos * cos;
     if g_2 < 0.0 {
-        // Total: both amplitudes of size 1, p against s turned by -e^(-2 i phi) with tan(phi) = cos g / sin^2.
+        // Total: both amplitudes of size 1, p against s turned by -e^(-2 i phi) with tan(phi) = cos g /
+        // sin^2.
         let g = sqrt_by_digits(-g_2);
         let (far, near) = (sin_2 * sin_2, cos * cos * -g_2);
         let c = (near - far) / (near + far);

@@ -6,8 +6,8 @@ use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Factor, Spectrum};
 use core::marker::PhantomData;
 
-/// The Mueller matrix of a mirror, polarizer or retarder, one per bin, in the element's own axes, with the angle of its
-/// first axis: `[[a, b, 0, 0], [b, a, 0, 0], [0, 0, c, s], [0, 0, -s, c]]`.
+/// The Mueller matrix of a mirror, polarizer or retarder, one per bin, in the element's own axes, with the
+/// angle of its first axis: `[[a, b, 0, 0], [b, a, 0, 0], [0, 0, c, s], [0, 0, -s, c]]`.
 pub struct Mueller<const N: usize, G = Bins<380, 730>> {
     /// a, b, c, s.
     elements: [[f32; 4]; N],
@@ -41,8 +41,8 @@ impl<const N: usize, G> Mueller<N, G> {
     /// What [`turn_natural`](Self::turn_natural) in all bins costs.
     pub(crate) const PRICE_OF_NATURAL: Price = Price { multiply_adds: 4 * N, ..Self::PRICE };
 
-    /// What becomes of unpolarized light in bin `k`: a quarter of the work, since no compiler may leave out a product
-    /// with zero.
+    /// What becomes of unpolarized light in bin `k`: a quarter of the work, since no compiler may leave out a
+    /// product with zero.
     #[inline]
     pub(crate) fn turn_natural(&self, k: usize, intensity: f32) -> [f32; 4] {
         let [a, b, ..] = self.elements.get(k).copied().unwrap_or([f32::NAN; 4]);

@@ -19,15 +19,15 @@ impl<const N: usize, G> Polarizer<N, G> {
         &self.0
     }
 
-    /// A perfect polarizer, which passes all light along its axis and none across it; the axis is in turns from the
-    /// reference direction.
+    /// A perfect polarizer, which passes all light along its axis and none across it; the axis is in turns
+    /// from the reference direction.
     #[must_use]
     pub const fn ideal(axis_turns: f32) -> Self {
         Polarizer(Mueller::new([[0.5, 0.5, 0.0, 0.0]; N], axis_turns))
     }
 
-    /// A real polarizer, from its transmittances for light along its axis and across it, 0..=1 (below: 0); the axis as
-    /// for [`ideal`](Self::ideal).
+    /// A real polarizer, from its transmittances for light along its axis and across it, 0..=1 (below: 0);
+    /// the axis as for [`ideal`](Self::ideal).
     #[must_use]
     pub const fn new(
         along: &Spectrum<Factor, N, G>,

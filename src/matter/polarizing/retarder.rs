@@ -18,8 +18,8 @@ impl<const N: usize, G> Retarder<N, G> {
         &self.0
     }
 
-    /// A plate of the same retardance in every bin, in turns (a quarter for a quarter-wave plate); the fast axis in
-    /// turns from the reference direction.
+    /// A plate of the same retardance in every bin, in turns (a quarter for a quarter-wave plate); the fast
+    /// axis in turns from the reference direction.
     #[must_use]
     pub const fn flat(retardance_turns: f32, axis_turns: f32) -> Self {
         let (c, s) = (cos_turns(retardance_turns), sin_turns(retardance_turns));
@@ -30,12 +30,13 @@ impl<const N: usize, G> Retarder<N, G> {
 impl<const N: usize, G: Bands> Retarder<N, G> {
     /// A plate of one path difference, in nm: 137.5 for a quarter-wave plate at 550 nm.
     ///
-    /// What is kept is the mean effect over each bin, so light behind a plate of many waves is as good as unpolarized.
-    /// Plates with one axis between the same sheets are one plate of the sum of their path differences.
+    /// What is kept is the mean effect over each bin, so light behind a plate of many waves is as good as
+    /// unpolarized. Plates with one axis between the same sheets are one plate of the sum of their path
+    /// differences.
     ///
     /// # Accuracy
-    /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins of the
-    /// default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarization.rs`).
+    /// Of the light that comes in, against the mean over each bin of light constant per nm: 5e-3 in 31 bins
+    /// of the default grid, up to 1 mm of path difference, 1e-2 in 16 (`tests/matter/polarization.rs`).
     #[must_use]
     pub const fn from_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self
     where

@@ -18,8 +18,8 @@ pub trait Brdf {
     /// A number, or a spectrum.
     type Value: Integrand;
 
-    /// The value for light from `wi` to `wo`, 1/sr, 0 or more. 0 where either is at or below the horizon; NaN in a
-    /// direction gives NaN.
+    /// The value for light from `wi` to `wo`, 1/sr, 0 or more. 0 where either is at or below the horizon; NaN
+    /// in a direction gives NaN.
     fn f(&self, wo: Direction, wi: Direction) -> Self::Value;
 }
 

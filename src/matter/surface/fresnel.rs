@@ -84,12 +84,13 @@ impl<V> Conductor<V> {
 impl Dielectric {
     /// The shares of power reflected, 0..=1, at the cosine of the angle of incidence.
     ///
-    /// A cosine outside 0..=1 counts as the nearer end, an index below 0 as 0. Beyond the critical angle all is
-    /// reflected. Equal media (`eta` = 1) reflect nothing, at grazing incidence too.
+    /// A cosine outside 0..=1 counts as the nearer end, an index below 0 as 0. Beyond the critical angle all
+    /// is reflected. Equal media (`eta` = 1) reflect nothing, at grazing incidence too.
     ///
     /// # Accuracy
-    /// For s 14 units of 2^-24, relative, however little the media differ (`tests/matter/hard_cases_surfaces.rs`), and for
-    /// p 4e-7 absolute. Below the critical angle the rounding of the cosine costs up to 1.2e-5.
+    /// For s 14 units of 2^-24, relative, however little the media differ
+    /// (`tests/matter/hard_cases_surfaces.rs`), and for p 4e-7 absolute. Below the critical angle the
+    /// rounding of the cosine costs up to 1.2e-5.
     ///
     /// # Reference
     /// M. Born, E. Wolf, "Principles of Optics", section 1.5.
@@ -107,8 +108,8 @@ impl Dielectric {
 
     /// The shares of power that enter the second medium, by formulas that hold where 1 - R is all rounding.
     ///
-    /// Radiance is per solid angle, which refraction changes: in the second medium it is eta^2 times this share of
-    /// what arrived.
+    /// Radiance is per solid angle, which refraction changes: in the second medium it is eta^2 times this
+    /// share of what arrived.
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         match self.ratios(cos_i) {
@@ -189,9 +190,9 @@ impl Conductor {
     /// A cosine outside 0..=1 counts as the nearer end, a part of the index below 0 as 0.
     ///
     /// # Accuracy
-    /// For s 14 units of 2^-24, relative, and for p 5e-7 absolute (`tests/matter/hard_cases_surfaces.rs`), but for media of
-    /// n < 1 and k below 0.01: they have a critical angle, near which what f32 can say of the angle costs up to
-    /// 3e-5. Within 0..=1 for every finite index.
+    /// For s 14 units of 2^-24, relative, and for p 5e-7 absolute (`tests/matter/hard_cases_surfaces.rs`),
+    /// but for media of n < 1 and k below 0.01: they have a critical angle, near which what f32 can say of
+    /// the angle costs up to 3e-5. Within 0..=1 for every finite index.
     ///
     /// # Reference
     /// M. Born, E. Wolf, "Principles of Optics", section 14.2.
@@ -208,10 +209,12 @@ impl Conductor {
         Components { s: rest(s, entering.s), p: rest(s * crossed, entering.p) }
     }
 
-    /// The shares of power that enter and are absorbed, by formulas that hold where 1 - R is all rounding (silver).
+    /// The shares of power that enter and are absorbed, by formulas that hold where 1 - R is all rounding
+    /// (silver).
     ///
     /// # Accuracy
-    /// 12 units of 2^-24, relative; by the cosine's rounding hundreds near a critical angle (n < 1, k below 0.01).
+    /// 12 units of 2^-24, relative; by the cosine's rounding hundreds near a critical angle (n < 1, k below
+    /// 0.01).
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         let Metal { cosine, sine2, scale, contrast, root } = Metal::of(self, cos_i);
@@ -262,7 +265,8 @@ impl Metal {
     }
 }
 
-/// eta^2 - k^2 - sin^2, the real part of g^2: from eta^2 - k^2 - 1 (`contrast`) or from the sine, where less cancels.
+/// eta^2 - k^2 - sin^2, the real part of g^2: from eta^2 - k^2 - 1 (`contrast`) or from the sine, where less
+/// cancels.
 fn root_squared([n, k]: [f32; 2], contrast: f32, cosine: f32, scale: f32) -> f32 {
     if n > 0.7 {
         return contrast + (cosine * scale) * (cosine * scale);
@@ -298,8 +302,8 @@ fn reflect(cosine: f32, sine2: f32, scale: f32, contrast: Complex, root: Complex
 
 /// The amplitudes of both components after reflection.
 ///
-/// The time factor is exp(-i omega t). (s, p, direction of travel) is right-handed before and after: at normal
-/// incidence p = -s, and so a mirror at normal incidence turns the hand.
+/// The time factor is exp(-i omega t). (s, p, direction of travel) is right-handed before and after: at
+/// normal incidence p = -s, and so a mirror at normal incidence turns the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Amplitudes {

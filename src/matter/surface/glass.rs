@@ -6,8 +6,8 @@ use crate::spectrum::{RefractiveIndex, Spectrum};
 
 /// A formula for the refractive index of a transparent medium.
 pub trait Glass {
-    /// The refractive index at `nm` (in air, as makers measure it); `None` where the formula gives none, beside a
-    /// resonance, and for no wavelength.
+    /// The refractive index at `nm` (in air, as makers measure it); `None` where the formula gives none,
+    /// beside a resonance, and for no wavelength.
     fn index(&self, nm: f32) -> Option<f32>;
 
     /// The index at the center of each bin; `None` if one of them has none.
@@ -19,8 +19,8 @@ pub trait Glass {
         Some(indices)
     }
 
-    /// Abbe's number (n_d - 1) / (n_F - n_C): large for a glass that disperses little; `None` for one that does not
-    /// disperse or has no index at one of these lines.
+    /// Abbe's number (n_d - 1) / (n_F - n_C): large for a glass that disperses little; `None` for one that
+    /// does not disperse or has no index at one of these lines.
     ///
     /// # Accuracy
     /// 1e-5 relative for glasses of numbers up to 70: the difference of two indices in f32.
@@ -39,7 +39,8 @@ pub trait Glass {
 
 /// Sellmeier's formula: n^2 = 1 + sum of `b` l^2 / (l^2 - `c`), with l in um and `c` in um^2.
 ///
-/// Outside the range that a glass quotes an index is only what the formula gives: at a resonance anything above 0.
+/// Outside the range that a glass quotes an index is only what the formula gives: at a resonance anything
+/// above 0.
 ///
 /// # Accuracy
 /// 1.2e-7 relative within the quoted ranges from 380 to 1000 nm; towards a resonance it loses all digits.

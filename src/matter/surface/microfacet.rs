@@ -18,13 +18,13 @@ pub struct TrowbridgeReitz {
     alpha: f32,
 }
 
-/// Below this cosine, or 5.7e-5 degrees above the horizon, light counts as coming from there: what is divided by a
-/// cosine stays finite.
+/// Below this cosine, or 5.7e-5 degrees above the horizon, light counts as coming from there: what is divided
+/// by a cosine stays finite.
 const LOWEST_COSINE: f32 = 1e-6;
 
 impl TrowbridgeReitz {
-    /// `alpha` is the tangent of the typical slope, 1e-4 (a mirror) ..=1 (as rough as can be); what is outside
-    /// counts as the nearer end.
+    /// `alpha` is the tangent of the typical slope, 1e-4 (a mirror) ..=1 (as rough as can be); what is
+    /// outside counts as the nearer end.
     #[must_use]
     pub fn new(alpha: f32) -> Self {
         TrowbridgeReitz { alpha: at_most(at_least(alpha, 1e-4), 1.0) }
@@ -73,12 +73,13 @@ impl TrowbridgeReitz {
         2.0 * self.d(wm) * (towards / (cosine + self.projected(w)))
     }
 
-    /// A normal seen from `w`: `share`, 0..=1, of the visible area lies nearer the rim, and `turns` goes around.
-    /// Evenly spread numbers give normals distributed as [`visible_d`](Self::visible_d). A `w` below the horizon
-    /// counts as on it.
+    /// A normal seen from `w`: `share`, 0..=1, of the visible area lies nearer the rim, and `turns` goes
+    /// around. Evenly spread numbers give normals distributed as [`visible_d`](Self::visible_d). A `w` below
+    /// the horizon counts as on it.
     ///
     /// # Reference
-    /// J. Dupuy, A. Benyoub, "Sampling visible GGX normals with spherical caps", Computer Graphics Forum 42 (2023).
+    /// J. Dupuy, A. Benyoub, "Sampling visible GGX normals with spherical caps", Computer Graphics Forum 42
+    /// (2023).
     #[must_use]
     pub fn visible_normal(self, w: Direction, share: f32, turns: f32) -> Direction {
         let cosine = at_least(w.cos_theta(), LOWEST_COSINE);
@@ -87,7 +88,8 @@ impl TrowbridgeReitz {
             return Direction::unit(f32::NAN, f32::NAN, f32::NAN);
         };
         let [x, y, z] = seen.to_array();
-        // Their z goes from -z to 1; the height above that rim is what the normal has. sin^2 from its two factors.
+        // Their z goes from -z to 1; the height above that rim is what the normal has. sin^2 from its two
+        // factors.
         let height = share * (1.0 + z);
         let sine = sqrt((1.0 - share) * (1.0 + z) * (1.0 - z + height));
         let normal =
@@ -101,7 +103,8 @@ impl TrowbridgeReitz {
         sqrt(cosine * cosine + self.alpha * self.alpha * (w.x() * w.x() + w.y() * w.y()))
     }
 
-    /// G2 / (4 cos cos): masking and shadowing, where facets that are high are more likely to be seen and lit.
+    /// G2 / (4 cos cos): masking and shadowing, where facets that are high are more likely to be seen and
+    /// lit.
     fn visibility(self, wo: Direction, wi: Direction) -> f32 {
         let [o, i] = [wo, wi].map(|w| at_least(w.cos_theta(), LOWEST_COSINE));
         0.5 / (o * self.projected(wi) + i * self.projected(wo))
@@ -131,8 +134,8 @@ impl TrowbridgeReitz {
 
 /// A surface of microfacets, each a smooth boundary: frosted metal, glazed clay, wet stone.
 ///
-/// Counts light that is reflected once: at alpha = 1 and normal incidence even a perfect reflector returns only
-/// 1 - ln 2 = 0.307 of it, at alpha = 0.1 99 %.
+/// Counts light that is reflected once: at alpha = 1 and normal incidence even a perfect reflector returns
+/// only 1 - ln 2 = 0.307 of it, at alpha = 0.1 99 %.
 ///
 /// ```
 /// # use nanospectra::matter::{Microfacet, TrowbridgeReitz, VisibleNormals, scattering::rho_hd};
@@ -164,12 +167,13 @@ impl<F: Reflector> Brdf for Microfacet<F> {
 
 /// The rule for [`Microfacet`]: `RIM` rings of `PHI` normals each, where those seen from a direction are.
 ///
-/// The light comes from where these facets mirror it, at every roughness; each stands for an equal share in azimuth
-/// and Gauss's in the other variable. What falls below the horizon is lost, as in the model.
+/// The light comes from where these facets mirror it, at every roughness; each stands for an equal share in
+/// azimuth and Gauss's in the other variable. What falls below the horizon is lost, as in the model.
 ///
 /// # Accuracy
-/// Of the reflectance, relative, worst over alpha 1e-4..=1 and all directions: 1.7e-2 with 12 x 12 nodes, 8.2e-3 with
-/// 16 x 16, 2.3e-3 with 32 x 32; never above 1 for a perfect reflector (`tests/matter/hard_cases_surfaces.rs`).
+/// Of the reflectance, relative, worst over alpha 1e-4..=1 and all directions: 1.7e-2 with 12 x 12 nodes,
+/// 8.2e-3 with 16 x 16, 2.3e-3 with 32 x 32; never above 1 for a perfect reflector
+/// (`tests/matter/hard_cases_surfaces.rs`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VisibleNormals<const RIM: usize, const PHI: usize>;
 

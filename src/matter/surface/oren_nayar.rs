@@ -9,16 +9,16 @@ use core::f32::consts::FRAC_1_PI;
 /// A rough matt surface, of V-shaped grooves: plaster, clay, the moon. Brighter towards the light than
 /// [`Lambert`](crate::matter::Lambert), flatter at the edge.
 ///
-/// Oren and Nayar's model in the form that keeps energy and reciprocity: what a groove's first reflection loses,
-/// the further ones return. At roughness 0 it is [`Lambert`](crate::matter::Lambert), bit by bit.
+/// Oren and Nayar's model in the form that keeps energy and reciprocity: what a groove's first reflection
+/// loses, the further ones return. At roughness 0 it is [`Lambert`](crate::matter::Lambert), bit by bit.
 ///
 /// # Accuracy
-/// 1e-7 absolute and 1e-7 relative, of the formulas. The white one (albedo 1) reflects 1 within what a rule can
-/// integrate.
+/// 1e-7 absolute and 1e-7 relative, of the formulas. The white one (albedo 1) reflects 1 within what a rule
+/// can integrate.
 ///
 /// # Reference
-/// J. Portsmouth, P. Kutz, S. Hill, "EON: a practical energy-preserving rough diffuse BRDF", J. Computer Graphics
-/// Techniques 14 (2025), after Oren and Nayar (1994) and Fujii.
+/// J. Portsmouth, P. Kutz, S. Hill, "EON: a practical energy-preserving rough diffuse BRDF", J. Computer
+/// Graphics Techniques 14 (2025), after Oren and Nayar (1994) and Fujii.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrenNayar<V> {
     albedo: V,
@@ -33,8 +33,8 @@ const GRAZING: f32 = 0.287_793_4;
 const MEAN: f32 = 0.072_488_21;
 
 impl<V: Integrand> OrenNayar<V> {
-    /// `albedo` is the reflectance of a groove's sides, 0..=1, and `roughness` from 0 (flat) to 1; what is outside
-    /// counts as the nearer end.
+    /// `albedo` is the reflectance of a groove's sides, 0..=1, and `roughness` from 0 (flat) to 1; what is
+    /// outside counts as the nearer end.
     #[must_use]
     pub fn new(albedo: V, roughness: f32) -> Self {
         let roughness = at_most(at_least(roughness, 0.0), 1.0);
@@ -66,7 +66,8 @@ impl<V: Integrand> Brdf for OrenNayar<V> {
     }
 }
 
-/// What one reflection loses with roughness towards a direction, 0..=0.2878: the model's 1 - E without its factors.
+/// What one reflection loses with roughness towards a direction, 0..=0.2878: the model's 1 - E without its
+/// factors.
 fn lost(w: Direction) -> f32 {
     let (cosine, sine) = (w.cos_theta(), w.sin_theta());
     // The own kernel, so that no feature is needed, and none changes the number.

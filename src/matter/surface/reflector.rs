@@ -1,4 +1,5 @@
-//! What a boundary reflects at an angle: the factor in front of mirrors and microfacets, as numbers or spectra.
+//! What a boundary reflects at an angle: the factor in front of mirrors and microfacets, as numbers or
+//! spectra.
 
 use crate::geometry::Integrand;
 use crate::grid::Bands;
@@ -7,8 +8,8 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// The share of unpolarized light that a smooth boundary reflects at a cosine of incidence.
 ///
-/// A plain number or a [`Reflectance`](crate::Reflectance) is one that does not depend on the angle: 1.0 for the
-/// perfect mirror.
+/// A plain number or a [`Reflectance`](crate::Reflectance) is one that does not depend on the angle: 1.0 for
+/// the perfect mirror.
 ///
 /// ```
 /// # use nanospectra::{Bins, Nodes, matter::{Dielectric, Glass, N_BK7, Reflector}};

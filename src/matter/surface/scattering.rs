@@ -7,13 +7,16 @@ use core::ops::Mul;
 
 /// A rule for integrals of a BRDF times a cosine over the hemisphere.
 ///
-/// Every [`Hemisphere`] rule is one for every BRDF, [`VisibleNormals`](crate::matter::VisibleNormals) the one for
-/// glossy microfacets, [`Specular`](crate::matter::Specular) the one for mirrors, which have one direction only.
+/// Every [`Hemisphere`] rule is one for every BRDF, [`VisibleNormals`](crate::matter::VisibleNormals) the one
+/// for glossy microfacets, [`Specular`](crate::matter::Specular) the one for mirrors, which have one
+/// direction only.
 pub trait Quadrature<B: Brdf> {
-    /// Calls `visit` with directions `wi` and f(wo, wi) times their projected solid angle: the share that goes to `wo`.
+    /// Calls `visit` with directions `wi` and f(wo, wi) times their projected solid angle: the share that
+    /// goes to `wo`.
     fn arriving(&self, brdf: &B, wo: Direction, visit: impl FnMut(Direction, B::Value));
 
-    /// Calls `visit` with directions `wo` and f(wo, wi) times their projected solid angle: the share from `wi`.
+    /// Calls `visit` with directions `wo` and f(wo, wi) times their projected solid angle: the share from
+    /// `wi`.
     fn leaving(&self, brdf: &B, wi: Direction, visit: impl FnMut(Direction, B::Value));
 }
 
@@ -27,9 +30,11 @@ impl<B: Brdf, H: Hemisphere> Quadrature<B> for H {
     }
 }
 
-/// The scattering equation: the radiance that leaves towards `wo` where radiance `li` arrives from the hemisphere.
+/// The scattering equation: the radiance that leaves towards `wo` where radiance `li` arrives from the
+/// hemisphere.
 ///
-/// Lo(wo) = integral of f(wo, wi) Li(wi) cos(theta_i) over solid angle. `li` may be a number or a spectrum of power.
+/// Lo(wo) = integral of f(wo, wi) Li(wi) cos(theta_i) over solid angle. `li` may be a number or a spectrum of
+/// power.
 ///
 /// ```
 /// # use nanospectra::{Light, Reflectance, matter::{Lambert, scattering::scattered}};
@@ -51,29 +56,30 @@ pub fn scattered<B: Brdf, L: Integrand + Mul<B::Value, Output = L>>(
     radiance.sum
 }
 
-/// Hemispherical-directional reflectance: the radiance towards `wo` over that of even light from the whole hemisphere.
+/// Hemispherical-directional reflectance: the radiance towards `wo` over that of even light from the whole
+/// hemisphere.
 pub fn rho_hd<B: Brdf>(brdf: &B, wo: Direction, quadrature: &impl Quadrature<B>) -> B::Value {
     let mut total = Total::new();
     quadrature.arriving(brdf, wo, |_, share| total.add(share));
     total.sum
 }
 
-/// Directional-hemispherical reflectance: the share of the power from `wi` that leaves; by reciprocity [`rho_hd`] of
-/// the same direction.
+/// Directional-hemispherical reflectance: the share of the power from `wi` that leaves; by reciprocity
+/// [`rho_hd`] of the same direction.
 pub fn rho_dh<B: Brdf>(brdf: &B, wi: Direction, quadrature: &impl Quadrature<B>) -> B::Value {
     let mut total = Total::new();
     quadrature.leaving(brdf, wi, |_, share| total.add(share));
     total.sum
 }
 
-/// Hemispherical-hemispherical reflectance: the share of the power of an even light from the whole hemisphere that
-/// leaves; `outer` is the rule for where to, `inner` for where from.
+/// Hemispherical-hemispherical reflectance: the share of the power of an even light from the whole hemisphere
+/// that leaves; `outer` is the rule for where to, `inner` for where from.
 pub fn rho_hh<B: Brdf>(brdf: &B, outer: &impl Hemisphere, inner: &impl Quadrature<B>) -> B::Value {
     outer.integrate_projected(|wo| rho_hd(brdf, wo, inner)) * FRAC_1_PI
 }
 
-/// By how much a BRDF fails Helmholtz' reciprocity: the largest |f(wo, wi) - f(wi, wo)| over all pairs of nodes and
-/// all wavelengths, 1/sr. 0 for every surface of [`matter`](crate::matter).
+/// By how much a BRDF fails Helmholtz' reciprocity: the largest |f(wo, wi) - f(wi, wo)| over all pairs of
+/// nodes and all wavelengths, 1/sr. 0 for every surface of [`matter`](crate::matter).
 pub fn reciprocity<B: Brdf>(brdf: &B, nodes: &impl Hemisphere) -> f32 {
     let mut most = 0.0;
     for a in nodes.nodes() {
@@ -85,8 +91,8 @@ pub fn reciprocity<B: Brdf>(brdf: &B, nodes: &impl Hemisphere) -> f32 {
     most
 }
 
-/// The white furnace: the largest [`rho_hd`] over the directions of `outer` and all wavelengths. Above 1 a surface
-/// would return more light than falls on it, as no matter does.
+/// The white furnace: the largest [`rho_hd`] over the directions of `outer` and all wavelengths. Above 1 a
+/// surface would return more light than falls on it, as no matter does.
 ///
 /// ```
 /// # use nanospectra::matter::{Lambert, OrenNayar, scattering::white_furnace};

@@ -9,10 +9,11 @@ use crate::spectrum::{Factor, Reflectance, Spectrum};
 use core::fmt;
 use core::ops::Add;
 
-/// How strongly a medium takes light out of a beam: the absorption (or extinction) coefficient of each bin, in 1/m,
-/// to base e. 0 is clear, infinity is opaque.
+/// How strongly a medium takes light out of a beam: the absorption (or extinction) coefficient of each bin,
+/// in 1/m, to base e. 0 is clear, infinity is opaque.
 ///
-/// A filter is the [`transmittance`](Self::transmittance) of a length of it. A sum of absorbers is their mixture.
+/// A filter is the [`transmittance`](Self::transmittance) of a length of it. A sum of absorbers is their
+/// mixture.
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -69,7 +70,8 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
         }
     }
 
-    /// From the internal transmittance, 0..=1, of a plate of `thickness_m` > 0: without reflection at its surfaces.
+    /// From the internal transmittance, 0..=1, of a plate of `thickness_m` > 0: without reflection at its
+    /// surfaces.
     ///
     /// # Errors
     /// [`AbsorberError`]: a transmittance outside 0..=1 or NaN, a thickness that is not finite and above zero.
@@ -91,8 +93,9 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
         Self::from_per_m(plate.values().map(|t| if t == 1.0 { 0.0 } else { -M::ln(t) / thickness_m }))
     }
 
-    /// A dissolved substance: from decadic molar absorption coefficients in L mol-1 cm-1, each 0 or more, and its
-    /// concentration in mol/L, above zero; or from the absorbances of a cuvette of 1 cm with a concentration of 1.
+    /// A dissolved substance: from decadic molar absorption coefficients in L mol-1 cm-1, each 0 or more, and
+    /// its concentration in mol/L, above zero; or from the absorbances of a cuvette of 1 cm with a
+    /// concentration of 1.
     ///
     /// # Errors
     /// [`AbsorberError`]: a coefficient is negative or NaN; a concentration that is not finite and above zero.

@@ -29,8 +29,8 @@ pub fn external_reflectance(eta: f32) -> f32 {
     2.0 * COSINES.iter().map(|(cos, weight)| weight * cos * fresnel(eta, *cos)).sum::<f32>()
 }
 
-/// The mean reflectance for light from all sides inside, total reflection included: 0.596346 for `eta` = 1.5; `eta`
-/// 1..=3, else NaN.
+/// The mean reflectance for light from all sides inside, total reflection included: 0.596346 for `eta` = 1.5;
+/// `eta` 1..=3, else NaN.
 ///
 /// # Accuracy
 /// As [`external_reflectance`], from which it follows by reciprocity: 1 - (1 - F) / eta^2.
@@ -40,10 +40,12 @@ pub fn internal_reflectance(eta: f32) -> f32 {
     ((eta - 1.0) * (eta + 1.0) + external_reflectance(eta)) / (eta * eta)
 }
 
-/// [`internal_reflectance`] by the fit of Egan and Hilgeman that computer graphics uses: 0.596733 for `eta` = 1.5.
+/// [`internal_reflectance`] by the fit of Egan and Hilgeman that computer graphics uses: 0.596733 for `eta` =
+/// 1.5.
 ///
 /// # Accuracy
-/// Within 1e-3 of the exact mean for `eta` 1.2..=1.7, and 1.6e-3 above it at 1, where there is nothing to reflect.
+/// Within 1e-3 of the exact mean for `eta` 1.2..=1.7, and 1.6e-3 above it at 1, where there is nothing to
+/// reflect.
 #[must_use]
 pub const fn internal_reflectance_fit(eta: f32) -> f32 {
     let inverse = 1.0 / eta;

@@ -16,8 +16,8 @@ pub const fn air_refractivity(nm: f32) -> f32 {
     1e-8 * (8060.51 + 2_480_990.0 / (132.274 - per_um2) + 17_455.7 / (39.329_57 - per_um2))
 }
 
-/// King's factor of dry air: what molecules scatter more for not being round. 1.0488 at 550 nm. `co2_ppm` is the share
-/// of carbon dioxide by volume.
+/// King's factor of dry air: what molecules scatter more for not being round. 1.0488 at 550 nm. `co2_ppm` is
+/// the share of carbon dioxide by volume.
 ///
 /// # Reference
 /// Bates 1984; Bodhaine et al. 1999, eqs. 5, 6 and 23.
@@ -30,8 +30,8 @@ pub const fn king_factor(nm: f32, co2_ppm: f32) -> f32 {
     (78.084 * nitrogen + 20.946 * oxygen + 0.934 + co2 * 1.15) / (78.084 + 20.946 + 0.934 + co2)
 }
 
-/// Scattering cross-section of a molecule of dry air, in units of 1e-27 cm2 (1e-31 m2): 4.510 at 550 nm with 300 ppm
-/// CO2. `nm` 200..=2000 is the wavelength in vacuum; `co2_ppm` 0..=1000.
+/// Scattering cross-section of a molecule of dry air, in units of 1e-27 cm2 (1e-31 m2): 4.510 at 550 nm with
+/// 300 ppm CO2. `nm` 200..=2000 is the wavelength in vacuum; `co2_ppm` 0..=1000.
 ///
 /// # Accuracy
 /// 1e-6, relative, beside the formula in f64.
@@ -58,8 +58,8 @@ pub const fn rayleigh_cross_section(nm: f32, co2_ppm: f32) -> f32 {
         * 1e-7
 }
 
-/// What air of 288.15 K, 101325 Pa and 360 ppm CO2 scatters out of a beam, in 1/m: 1.149e-5 at 550 nm. Proportional to
-/// the density.
+/// What air of 288.15 K, 101325 Pa and 360 ppm CO2 scatters out of a beam, in 1/m: 1.149e-5 at 550 nm.
+/// Proportional to the density.
 ///
 /// # Accuracy
 /// As [`rayleigh_cross_section`], for `nm` 200..=2000; below 185 the formula has poles.
@@ -68,8 +68,8 @@ pub const fn rayleigh_per_m(nm: f32) -> f32 {
     rayleigh_cross_section(nm, 360.0) * MOLECULES_1E31_PER_M3
 }
 
-/// How air's scattered light is spread over directions, per sr: its integral over the sphere is 1. `cos_theta` -1..=1
-/// is the cosine of the angle by which light turns; `king_factor` 1..=2.
+/// How air's scattered light is spread over directions, per sr: its integral over the sphere is 1.
+/// `cos_theta` -1..=1 is the cosine of the angle by which light turns; `king_factor` 1..=2.
 ///
 /// # Reference
 /// Chandrasekhar's phase function with the depolarization rho = 6 (F - 1) / (7 F + 3).

@@ -10,9 +10,9 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
 /// A plane-parallel slab between two like media: window glass, a filter, the wall of a cuvette.
 ///
-/// Each face reflects by Fresnel's equations as if the slab were clear, the inside absorbs by Beer and Lambert's law
-/// along the refracted path, and every beam that goes to and fro counts. Powers add, not fields: from 0.1 mm on in
-/// ordinary light (a thinner slab is a [`ThinFilm`](crate::matter::ThinFilm)).
+/// Each face reflects by Fresnel's equations as if the slab were clear, the inside absorbs by Beer and
+/// Lambert's law along the refracted path, and every beam that goes to and fro counts. Powers add, not
+/// fields: from 0.1 mm on in ordinary light (a thinner slab is a [`ThinFilm`](crate::matter::ThinFilm)).
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -30,14 +30,15 @@ use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 /// ```
 ///
 /// # Accuracy
-/// Reflectance and transmittance 4e-7 and what is absorbed 2e-7, absolute, at every angle; reflected, transmitted and
-/// absorbed add up to 1 within 3.5e-7 (`tests/matter/slab.rs`).
+/// Reflectance and transmittance 4e-7 and what is absorbed 2e-7, absolute, at every angle; reflected,
+/// transmitted and absorbed add up to 1 within 3.5e-7 (`tests/matter/slab.rs`).
 ///
 /// # Cost
 /// 8 bytes for each bin and 4; a bin takes an exp, an expm1 and three square roots at each angle.
 pub struct Slab<const N: usize, G = Bins<380, 730>> {
-    /// Refractive index of each bin relative to what is around it, above 0; below 1 it is a gap of air in glass.
-    /// [`Spectrum::flat`] is one index, [`Glass::indices`](crate::matter::Glass::indices) are those of a glass.
+    /// Refractive index of each bin relative to what is around it, above 0; below 1 it is a gap of air in
+    /// glass. [`Spectrum::flat`] is one index, [`Glass::indices`](crate::matter::Glass::indices) are those of
+    /// a glass.
     pub index: Spectrum<RefractiveIndex, N, G>,
     /// What it is made of.
     pub absorber: Absorber<N, G>,
@@ -70,8 +71,8 @@ impl<const N: usize, G: Bands> Slab<N, G> {
         Ok(Slab { index, absorber, thickness_m })
     }
 
-    /// The share of unpolarized light that comes back, 0..=1, at the cosine of the angle of incidence (outside
-    /// 0..=1: the nearer end).
+    /// The share of unpolarized light that comes back, 0..=1, at the cosine of the angle of incidence
+    /// (outside 0..=1: the nearer end).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn reflectance(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {
@@ -112,8 +113,8 @@ impl<const N: usize, G: Bands> Slab<N, G> {
 
     /// One of the shares for s and for p polarized light, in this order.
     ///
-    /// A tilted window is a weak [`Polarizer`](crate::matter::Polarizer): exact in the intensities, while light that
-    /// arrives polarized askew stays so a little too much (1 % at Brewster's angle of n = 1.5).
+    /// A tilted window is a weak [`Polarizer`](crate::matter::Polarizer): exact in the intensities, while
+    /// light that arrives polarized askew stays so a little too much (1 % at Brewster's angle of n = 1.5).
     ///
     /// ```
     /// use nanospectra::matter::{Absorber, Polarizer, Slab};
@@ -176,10 +177,11 @@ impl<const N: usize, G: Bands> Slab<N, G> {
 
 by_fields!([const N: usize, G] Slab<N, G>, "Slab": index, absorber, thickness_m);
 
-/// The internal transmittance, 0..=1, between the faces of a slab, from the external one, faces included, as it is
-/// measured at right angles. `index` is that of the slab relative to what is around it.
+/// The internal transmittance, 0..=1, between the faces of a slab, from the external one, faces included, as
+/// it is measured at right angles. `index` is that of the slab relative to what is around it.
 ///
-/// Makers' data sheets have it for a reference thickness; [`Absorber::from_transmittance`] takes it to any other.
+/// Makers' data sheets have it for a reference thickness; [`Absorber::from_transmittance`] takes it to any
+/// other.
 ///
 /// # Accuracy
 /// 6 units of 2^-24, relative.
@@ -207,8 +209,8 @@ pub fn internal_transmittance<const N: usize, G: Bands>(
     for (bin, (value, index)) in internal.values_mut().iter_mut().zip(index.values()).enumerate() {
         let face = Dielectric::new(*index);
         let (reflected, entering) = (face.fresnel(1.0).s, face.entering(1.0).s);
-        // The root of R^2 T tau^2 + (1 - R)^2 tau - T = 0 by the formula that does not cancel, over 1 - R so that
-        // no square of a nearly closed face vanishes.
+        // The root of R^2 T tau^2 + (1 - R)^2 tau - T = 0 by the formula that does not cancel, over 1 - R so
+        // that no square of a nearly closed face vanishes.
         let through = *value / entering;
         let both = 2.0 * reflected * through;
         let tau = 2.0 * through / (entering + sqrt(entering * entering + both * both));
@@ -221,8 +223,8 @@ pub fn internal_transmittance<const N: usize, G: Bands>(
     Ok(internal)
 }
 
-/// The sum over all beams, where a face reflects R and lets E in, and the inside passes tau and keeps a: 1 - R tau is
-/// E + R a without cancellation.
+/// The sum over all beams, where a face reflects R and lets E in, and the inside passes tau and keeps a: 1 -
+/// R tau is E + R a without cancellation.
 fn to_and_fro(reflected: f32, entering: f32, passed: f32, lost: f32) -> PowerShares {
     if entering == 0.0 {
         // Grazing, or total reflection.

@@ -1,5 +1,5 @@
-//! Light that enters skin, milk or marble at one point and leaves at another: the reflectance profiles of Burley and
-//! of the classical dipole.
+//! Light that enters skin, milk or marble at one point and leaves at another: the reflectance profiles of
+//! Burley and of the classical dipole.
 
 use crate::grid::{Bands, Bins};
 #[cfg(feature = "libm")]
@@ -11,7 +11,8 @@ use crate::matter::volume::diffuse_fresnel::{
 use crate::spectrum::{Factor, Reflectance, Spectrum};
 use core::f32::consts::PI;
 
-/// How light falls on the surface, and which mean free path is known: the three fits of Christensen and Burley 2015.
+/// How light falls on the surface, and which mean free path is known: the three fits of Christensen and
+/// Burley 2015.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BurleyFit {
@@ -27,8 +28,8 @@ impl BurleyFit {
     /// What a mean free path is divided by to get Burley's d, for a surface albedo of 0..=1.
     ///
     /// # Reference
-    /// Christensen and Burley 2015, "Approximate reflectance profiles for efficient subsurface scattering", eqs. 5, 6
-    /// and 8.
+    /// Christensen and Burley 2015, "Approximate reflectance profiles for efficient subsurface scattering",
+    /// eqs. 5, 6 and 8.
     #[must_use]
     pub const fn scaling(self, albedo: f32) -> f32 {
         let (x, y) = (albedo - 0.8, albedo - 0.33);
@@ -40,8 +41,9 @@ impl BurleyFit {
     }
 }
 
-/// Burley's normalized diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A, which is its
-/// integral over the surface, and a distance d for each bin. Where d is 0, light leaves where it entered: Lambert.
+/// Burley's normalized diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A, which is
+/// its integral over the surface, and a distance d for each bin. Where d is 0, light leaves where it entered:
+/// Lambert.
 ///
 /// Lengths are in m (or in any one unit).
 ///
@@ -89,8 +91,9 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         self.albedo
     }
 
-    /// r R(r), in 1/m, at `r` >= 0 (else NaN) from where light entered; 2 pi times this leaves from a ring, for each
-    /// meter of its width. A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing leaves).
+    /// r R(r), in 1/m, at `r` >= 0 (else NaN) from where light entered; 2 pi times this leaves from a ring,
+    /// for each meter of its width. A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing
+    /// leaves).
     ///
     /// # Accuracy
     /// (r / d + 4) units of 2^-24, relative.
@@ -112,8 +115,8 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         })
     }
 
-    /// What leaves within `r` >= 0 (else NaN) of where light entered: the integral of the profile over that disk,
-    /// 0..=albedo. A bin with d = 0 gives its albedo at any `r`.
+    /// What leaves within `r` >= 0 (else NaN) of where light entered: the integral of the profile over that
+    /// disk, 0..=albedo. A bin with d = 0 gives its albedo at any `r`.
     ///
     /// # Accuracy
     /// 4 units of 2^-24, relative.
@@ -141,8 +144,8 @@ impl<const N: usize, G: Bands> Burley<N, G> {
     }
 }
 
-/// The distance, in units of Burley's d, within which the `share` (0..=1, else NaN) of what leaves does, for placing
-/// samples: the inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4.
+/// The distance, in units of Burley's d, within which the `share` (0..=1, else NaN) of what leaves does, for
+/// placing samples: the inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4.
 ///
 /// # Accuracy
 /// 4e-7, relative, of the share as rounded.
@@ -159,7 +162,8 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
         return f32::NAN;
     }
     if share > 0.5 {
-        // With e = e^(-x/3): e^3 + 3 e = 4 (1 - share), exactly. Convex: Newton's steps from above stay above.
+        // With e = e^(-x/3): e^3 + 3 e = 4 (1 - share), exactly. Convex: Newton's steps from above stay
+        // above.
         let rest = 4.0 * (1.0 - share);
         let mut e = rest / 3.0;
         for _ in 0..4 {
@@ -167,7 +171,8 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
         }
         return if e > 0.0 { -3.0 * M::ln(e) } else { f32::INFINITY };
     }
-    // With e^(-x/3) = 1 - y: y^3 - 3 y^2 + 6 y = 4 share. Rising and concave: Newton's steps from below stay below.
+    // With e^(-x/3) = 1 - y: y^3 - 3 y^2 + 6 y = 4 share. Rising and concave: Newton's steps from below stay
+    // below.
     let mut y = share * (2.0 / 3.0);
     for _ in 0..6 {
         let excess = y * (6.0 - y * (3.0 - y)) - 4.0 * share;
@@ -181,8 +186,8 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
     3.0 * M::ln(rest) * (y / (rest - 1.0))
 }
 
-/// The classical dipole: a diffusing half-space of known absorption and scattering, in 1/m (or 1 over any one unit of
-/// length), behind a smooth surface.
+/// The classical dipole: a diffusing half-space of known absorption and scattering, in 1/m (or 1 over any one
+/// unit of length), behind a smooth surface.
 ///
 /// # Reference
 /// Jensen, Marschner, Levoy and Hanrahan 2001, "A practical model for subsurface light transport".
@@ -206,8 +211,9 @@ pub struct Dipole<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Dipole<N, G> {
-    /// From the absorption and the reduced scattering coefficient of each bin, both 0..=1e18 (else NaN), and the index
-    /// of refraction `eta` of the volume over that outside, 1..=3 (else all is NaN), by [`internal_reflectance`].
+    /// From the absorption and the reduced scattering coefficient of each bin, both 0..=1e18 (else NaN), and
+    /// the index of refraction `eta` of the volume over that outside, 1..=3 (else all is NaN), by
+    /// [`internal_reflectance`].
     #[must_use]
     pub fn new(absorption: [f32; N], reduced_scattering: [f32; N], eta: f32) -> Self {
         Self::with(absorption, reduced_scattering, eta, internal_reflectance(eta))
@@ -224,7 +230,8 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         Dipole { absorption, scattering, eta, mismatch, grid: core::marker::PhantomData }
     }
 
-    /// All that leaves of the light that entered: the integral of the profile, 0..=1. 0 where nothing scatters.
+    /// All that leaves of the light that entered: the integral of the profile, 0..=1. 0 where nothing
+    /// scatters.
     ///
     /// # Accuracy
     /// 1e-7 absolute beside the closed form in f64.
@@ -276,9 +283,9 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
     /// The reflectance, 0..=1 and without the gloss, of a large area lit evenly from all sides and seen from
     /// `cos_theta`, or the other way round.
     ///
-    /// Where nothing is absorbed, this and the gloss are together less than 1: 5.7 % are lost at `eta` 1.3. The reason
-    /// is that Jensen's model takes Fresnel's share on the way out, which R(r) contains, once more. Divided by the
-    /// mean of that, 1 - [`external_reflectance`], all light is accounted for.
+    /// Where nothing is absorbed, this and the gloss are together less than 1: 5.7 % are lost at `eta` 1.3.
+    /// The reason is that Jensen's model takes Fresnel's share on the way out, which R(r) contains, once
+    /// more. Divided by the mean of that, 1 - [`external_reflectance`], all light is accounted for.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn hemispherical_directional(&self, cos_theta: f32) -> Reflectance<N, G> {

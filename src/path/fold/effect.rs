@@ -6,8 +6,8 @@ use crate::observer::Observer;
 use crate::spectrum::Power;
 
 impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
-    /// This observer turned to a dye: it then reads the light that falls there. Put it `under` a light after that,
-    /// never before: a light that is folded in cannot make anything glow.
+    /// This observer turned to a dye: it then reads the light that falls there. Put it `under` a light after
+    /// that, never before: a light that is folded in cannot make anything glow.
     ///
     /// Computes in f64, for `const` use, as [`scaled`](Observer::scaled).
     #[must_use]
@@ -25,7 +25,8 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
         Self::unchecked(weights)
     }
 
-    /// This observer turned to matter of any kind that folds, an effect of your own included. Computes in f32, at run time.
+    /// This observer turned to matter of any kind that folds, an effect of your own included. Computes in
+    /// f32, at run time.
     #[must_use]
     pub fn looking_at_matter<M: Foldable<N, G> + ?Sized>(&self, matter: &M) -> Self {
         let mut weights = self.0;

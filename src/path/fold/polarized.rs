@@ -10,7 +10,8 @@ use core::marker::PhantomData;
 /// An observer behind matter that polarizes: for each channel and bin one weight for each of I, Q, U and V.
 ///
 /// It leads from [`Observer::polarized`] back along the path to where the light is unpolarized: there
-/// [`unpolarized_light`](Self::unpolarized_light) makes it an [`Observer`] again, and polarization costs nothing.
+/// [`unpolarized_light`](Self::unpolarized_light) makes it an [`Observer`] again, and polarization costs
+/// nothing.
 pub struct PolarizedObserver<const C: usize, const N: usize, Q = Factor, G = Bins<380, 730>>(
     [[[f32; 4]; N]; C],
     PhantomData<(Q, G)>,
@@ -19,7 +20,8 @@ pub struct PolarizedObserver<const C: usize, const N: usize, Q = Factor, G = Bin
 by_fields!([const C: usize, const N: usize, Q, G] PolarizedObserver<C, N, Q, G>, "PolarizedObserver": 0);
 
 impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
-    /// Starts folding polarizing elements in front of this observer, which itself responds equally to all polarizations.
+    /// Starts folding polarizing elements in front of this observer, which itself responds equally to all
+    /// polarizations.
     #[must_use]
     pub const fn polarized(&self) -> PolarizedObserver<C, N, Q, G> {
         let mut weights = [[[0.0; 4]; N]; C];
@@ -35,7 +37,8 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
         self.behind(polarizer.mueller())
     }
 
-    /// This observer behind a retarder, which alone changes no reading, but does between polarizers or mirrors.
+    /// This observer behind a retarder, which alone changes no reading, but does between polarizers or
+    /// mirrors.
     #[must_use]
     pub const fn through_retarder(&self, retarder: &Retarder<N, G>) -> Self {
         self.behind(retarder.mueller())
@@ -55,8 +58,8 @@ impl<const C: usize, const N: usize, Q, G> PolarizedObserver<C, N, Q, G> {
         PolarizedObserver(weights, PhantomData)
     }
 
-    /// This observer looking at what sends or scatters unpolarized light, a lamp or a matt surface: an [`Observer`]
-    /// again.
+    /// This observer looking at what sends or scatters unpolarized light, a lamp or a matt surface: an
+    /// [`Observer`] again.
     #[must_use]
     pub const fn unpolarized_light(&self) -> Observer<C, N, Q, G> {
         let mut weights = [[0.0; N]; C];

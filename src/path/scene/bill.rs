@@ -41,7 +41,8 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         self.steps().enumerate().map(move |(part, step)| {
             let price = step.price();
             let turns = price.effects.contains(Effects::POLARIZATION);
-            // A part that polarizes or passes polarization on has four numbers to work on behind one that polarizes.
+            // A part that polarizes or passes polarization on has four numbers to work on behind one that
+            // polarizes.
             let passes = matches!(step.part, Part::Filter(_)) || step.part.polarizes();
             let more = match stokes && passes {
                 true if turns => Mueller::<N, G>::PRICE.multiply_adds - price.multiply_adds,
@@ -54,14 +55,15 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         })
     }
 
-    /// What walking light through all parts costs. A lamp adds its bytes ([`Price::light`]), an observer of `C`
-    /// channels `C * N` multiply-adds.
+    /// What walking light through all parts costs. A lamp adds its bytes ([`Price::light`]), an observer of
+    /// `C` channels `C * N` multiply-adds.
     #[must_use]
     pub fn price(&self) -> Price {
         self.bill().fold(Price::NONE, |sum, line| sum.plus(line.price))
     }
 
-    /// What the scene costs once it is folded into an observer of `channels` channels: what that observer costs alone.
+    /// What the scene costs once it is folded into an observer of `channels` channels: what that observer
+    /// costs alone.
     #[must_use]
     pub const fn folded_price(&self, channels: usize) -> Price {
         Price { effects: Effects::NONE, multiply_adds: channels * N, bytes: 4 * channels * N }

@@ -18,8 +18,8 @@ pub struct WithinBudget<S> {
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// How different another scene looks to this eye under this lamp: CIEDE2000, where the white of CIELAB is that of
-    /// the bare lamp. NaN if that is no white (see [`Xyz::lab`]).
+    /// How different another scene looks to this eye under this lamp: CIEDE2000, where the white of CIELAB is
+    /// that of the bare lamp. NaN if that is no white (see [`Xyz::lab`]).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn difference(
@@ -48,10 +48,12 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     }
 
     /// This scene without the effects that this eye would hardly miss under this lamp: those that save most
-    /// multiply-adds first, as long as all that is left out *together* makes a [`difference`](Self::difference) of
-    /// `budget_delta_e` at most. No other effect could be left out as well by itself; two might, together.
+    /// multiply-adds first, as long as all that is left out *together* makes a
+    /// [`difference`](Self::difference) of `budget_delta_e` at most. No other effect could be left out as
+    /// well by itself; two might, together.
     ///
-    /// A lamp or part that changes needs a new answer: what does not show under a red lamp may shine under a blue one.
+    /// A lamp or part that changes needs a new answer: what does not show under a red lamp may shine under a
+    /// blue one.
     ///
     /// # Cost
     /// The scene is walked twice for each part with an effect, and that again for each that is left out.

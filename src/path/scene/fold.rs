@@ -5,8 +5,8 @@ use crate::path::PolarizedObserver;
 use crate::path::scene::{Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// The reason why a scene needs Stokes vectors: a part polarizes light, which one number for each bin does not
-/// describe.
+/// The reason why a scene needs Stokes vectors: a part polarizes light, which one number for each bin does
+/// not describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolarizationError {
@@ -56,14 +56,14 @@ impl<const C: usize, const N: usize, G> Eye<C, N, G> {
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// This eye (or sensor) as it looks through the whole scene at a lamp: `scene.fold(&eye)?.sees(&lamp)`, or
-    /// `.under(&lamp)` to look at a reflectance that the light meets before the first part.
+    /// This eye (or sensor) as it looks through the whole scene at a lamp: `scene.fold(&eye)?.sees(&lamp)`,
+    /// or `.under(&lamp)` to look at a reflectance that the light meets before the first part.
     ///
     /// Parts that change make a new fold; a lamp that changes does not.
     ///
     /// # Accuracy
-    /// What it sees is within 4e-7, and 3e-8 more for each part beyond four, of the sum of the terms' sizes of what
-    /// [`leaving`](Self::leaving) has the eye see.
+    /// What it sees is within 4e-7, and 3e-8 more for each part beyond four, of the sum of the terms' sizes
+    /// of what [`leaving`](Self::leaving) has the eye see.
     ///
     /// # Errors
     /// [`PolarizationError`]: a mirror, a polarizer or a retarder is in the path;
@@ -76,8 +76,8 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         Ok(self.fold_polarized(eye))
     }
 
-    /// As [`fold`](Self::fold), with weights for Stokes vectors where parts need them. The light of the lamp is
-    /// unpolarized.
+    /// As [`fold`](Self::fold), with weights for Stokes vectors where parts need them. The light of the lamp
+    /// is unpolarized.
     #[must_use]
     pub fn fold_polarized<const C: usize>(&self, eye: &Observer<C, N, Power, G>) -> Observer<C, N, Power, G> {
         let mut eye = Eye::Plain(*eye);

@@ -7,8 +7,8 @@ use crate::spectrum::{Factor, Spectrum};
 
 /// What light can meet in a [`Scene`](crate::path::scene::Scene), by reference.
 ///
-/// All but the first two come [from a reference](IntoPart), so `scene.push(&vest)` is enough. A spectrum of factors has
-/// to say which it is: light behind a filter stays polarized, light off a matt surface does not.
+/// All but the first two come [from a reference](IntoPart), so `scene.push(&vest)` is enough. A spectrum of
+/// factors has to say which it is: light behind a filter stays polarized, light off a matt surface does not.
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub enum Part<'a, const N: usize, G = Bins<380, 730>> {
@@ -16,8 +16,8 @@ pub enum Part<'a, const N: usize, G = Bins<380, 730>> {
     Filter(&'a Spectrum<Factor, N, G>),
     /// A matt surface: what it scatters back is unpolarized.
     Surface(&'a Spectrum<Factor, N, G>),
-    /// A surface or a filter that fluoresces: a dye, a Donaldson matrix, an effect of your own in [`Own`]. What leaves
-    /// it counts as unpolarized, also behind clear matter.
+    /// A surface or a filter that fluoresces: a dye, a Donaldson matrix, an effect of your own in [`Own`].
+    /// What leaves it counts as unpolarized, also behind clear matter.
     Effect(&'a (dyn Foldable<N, G> + Sync)),
     /// A mirror, a polarizer or a retarder, by its Mueller matrix.
     Polarizing {
@@ -50,8 +50,8 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// The factors that remain of it if its effect is left out: the reflectance of a dye without the glow, the diagonal
-    /// of a matrix, the share of unpolarized light that a mirror passes on.
+    /// The factors that remain of it if its effect is left out: the reflectance of a dye without the glow,
+    /// the diagonal of a matrix, the share of unpolarized light that a mirror passes on.
     #[must_use]
     pub fn without_effect(&self) -> Spectrum<Factor, N, G> {
         match self {
@@ -73,7 +73,8 @@ impl<const N: usize, G> core::fmt::Debug for Part<'_, N, G> {
     }
 }
 
-/// What can be pushed into a [`Scene`](crate::path::scene::Scene): a [`Part`], or a reference that says which it is.
+/// What can be pushed into a [`Scene`](crate::path::scene::Scene): a [`Part`], or a reference that says which
+/// it is.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what it is in a scene of {N} bins of `{G}`",
     label = "no part of a scene",

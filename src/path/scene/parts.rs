@@ -4,12 +4,12 @@ use crate::grid::Bins;
 use crate::path::scene::{IntoPart, Part};
 use crate::path::{Effects, Price};
 
-/// A path that is chosen at run time, by a slider in a web page or by a file: up to `CAP` parts, in the order in which
-/// light meets them, in fixed memory. Where the path is known while compiling, `lamp.through(&glass).onto(&vest)` is
-/// better: what cannot be does not compile.
+/// A path that is chosen at run time, by a slider in a web page or by a file: up to `CAP` parts, in the order
+/// in which light meets them, in fixed memory. Where the path is known while compiling,
+/// `lamp.through(&glass).onto(&vest)` is better: what cannot be does not compile.
 ///
-/// A scene can be evaluated from the lamp on, part by part ([`leaving`](Self::leaving)), or from the eye back:
-/// [`fold`](Self::fold) gives an observer that costs as much as any other.
+/// A scene can be evaluated from the lamp on, part by part ([`leaving`](Self::leaving)), or from the eye
+/// back: [`fold`](Self::fold) gives an observer that costs as much as any other.
 ///
 /// ```
 /// use nanospectra::matter::Dye;
@@ -90,8 +90,8 @@ impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
         self.steps().map(|step| &step.part)
     }
 
-    /// This scene with the effect of part `k` (counted from 0) left out: a dye does not glow, a mirror dims all
-    /// polarizations alike. Nothing changes where part `k` has no effect or does not exist.
+    /// This scene with the effect of part `k` (counted from 0) left out: a dye does not glow, a mirror dims
+    /// all polarizations alike. Nothing changes where part `k` has no effect or does not exist.
     #[must_use]
     pub fn leaving_out(mut self, k: usize) -> Self {
         if let Some(Some(step)) = self.steps.get_mut(k) {

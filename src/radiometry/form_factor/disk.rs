@@ -28,8 +28,8 @@ pub fn coaxial_disks(radius_1_m: f32, radius_2_m: f32, distance_m: f32) -> f32 {
     2.0 * r2 * r2 / (sum + sqrt(along) * sqrt(across))
 }
 
-/// From a point to a disk in a plane parallel to its own, at a distance, with the disk's center `offset_m` beside
-/// the point's normal.
+/// From a point to a disk in a plane parallel to its own, at a distance, with the disk's center `offset_m`
+/// beside the point's normal.
 ///
 /// # Accuracy
 /// 6e-7, relative.

@@ -1,9 +1,11 @@
 //! Form factors (view factors): the share of what one diffuse surface emits that reaches another, and of what
-//! a point's hemisphere can send, the share that comes from a surface (then also called configuration factor).
+//! a point's hemisphere can send, the share that comes from a surface (then also called configuration
+//! factor).
 //!
-//! From a surface to a surface, `A1 F12 = A2 F21` ([`reciprocal`]); from a point, the irradiance by a Lambertian
-//! surface of radiance L is `pi L F` ([`through_form_factor`](crate::radiometry::Radiance::through_form_factor)).
-//! Lengths are in m (any one unit will do). All results are within 0..=1 but for rounding.
+//! From a surface to a surface, `A1 F12 = A2 F21` ([`reciprocal`]); from a point, the irradiance by a
+//! Lambertian surface of radiance L is `pi L F`
+//! ([`through_form_factor`](crate::radiometry::Radiance::through_form_factor)). Lengths are in m (any one
+//! unit will do). All results are within 0..=1 but for rounding.
 
 mod disk;
 mod polygon;

@@ -15,9 +15,9 @@ use core::f32::consts::FRAC_1_PI;
 /// What lies below the point's horizon, or in its plane, does not count. It need not be convex.
 ///
 /// # Accuracy
-/// 1.7e-5, relative, for quadrilaterals of moderate proportions above the horizon, however small or far; cut by the
-/// horizon 1e-6 of what the whole would be straight ahead and turned towards the point. Slender ones lose more:
-/// rectangles 20 times as long as wide 1e-4, and seen at a slant many times that.
+/// 1.7e-5, relative, for quadrilaterals of moderate proportions above the horizon, however small or far; cut
+/// by the horizon 1e-6 of what the whole would be straight ahead and turned towards the point. Slender ones
+/// lose more: rectangles 20 times as long as wide 1e-4, and seen at a slant many times that.
 ///
 /// # Cost
 /// One arc tangent an edge, or for what is small 7 quotients a triangle.
@@ -60,8 +60,8 @@ pub fn to_polygon_with<M: Math>(point_m: [f32; 3], normal: [f32; 3], vertices_m:
 /// Below this share of the distance a triangle is small.
 const SMALL: f32 = 0.4;
 
-/// A corner, seen from the point, and the edges from there to the other two; exact for small triangles far away,
-/// where the differences of three positions would not be.
+/// A corner, seen from the point, and the edges from there to the other two; exact for small triangles far
+/// away, where the differences of three positions would not be.
 #[derive(Clone, Copy)]
 struct Triangle {
     corner: [f32; 3],

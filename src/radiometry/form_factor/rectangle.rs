@@ -55,8 +55,8 @@ pub fn parallel_rectangles_with<M: Math>(width_m: f32, height_m: f32, distance_m
     2.0 * FRAC_1_PI * (0.5 * log / x / y + slanted(x, y) + slanted(y, x))
 }
 
-/// From the first of two rectangles that stand at a right angle on a common edge to the second. `width_1_m` and
-/// `width_2_m` are their sides away from that edge.
+/// From the first of two rectangles that stand at a right angle on a common edge to the second. `width_1_m`
+/// and `width_2_m` are their sides away from that edge.
 ///
 /// # Accuracy
 /// 4e-7, relative (swept for sides of 0.001 to 1000 times the edge).

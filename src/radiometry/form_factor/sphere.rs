@@ -8,8 +8,8 @@ use crate::radiometry::carried::ratio;
 use crate::radiometry::relations::in_front;
 use core::f32::consts::FRAC_1_PI;
 
-/// From a point to a sphere whose center is at `distance_m`, in a direction of cosine `cos_theta` from the point's
-/// normal. What lies below the horizon does not count; from within the sphere the factor is 1.
+/// From a point to a sphere whose center is at `distance_m`, in a direction of cosine `cos_theta` from the
+/// point's normal. What lies below the horizon does not count; from within the sphere the factor is 1.
 ///
 /// # Accuracy
 /// 5e-7, relative, with the center above the horizon; below it 1.2e-7 of (r/d)^2, the largest there can be.
@@ -43,19 +43,21 @@ pub fn to_sphere_with<M: Math>(radius_m: f32, distance_m: f32, cos_theta: f32) -
     if c <= -sin {
         return 0.0;
     }
-    // The visible part is bounded by an arc of the horizon and one of the sphere's outline. Their half angles:
+    // The visible part is bounded by an arc of the horizon and one of the sphere's outline. Their half
+    // angles:
     let half_chord = M::sqrt((sin - c) * (sin + c));
     let cos = M::sqrt((d - r) * (d + r)) / d;
     let across = (1.0 - c) * (1.0 + c);
     let horizon = segment(M::atan2(half_chord, cos), half_chord * cos / across);
     let (sin_outline, cos_outline) = (half_chord / sin, -c * cos / sin);
     let outline = segment(M::atan2(sin_outline, cos_outline), sin_outline * cos_outline / across);
-    // Lambert's boundary integral, sorted into segments of two circles: both count up as long as the center is up.
+    // Lambert's boundary integral, sorted into segments of two circles: both count up as long as the center
+    // is up.
     in_front((horizon + c * (sin * sin) * outline) * FRAC_1_PI)
 }
 
-/// Twice the area of the segment of a unit circle with this half angle: the angle less `product`, its sine times
-/// its cosine; a series where they are nearly equal.
+/// Twice the area of the segment of a unit circle with this half angle: the angle less `product`, its sine
+/// times its cosine; a series where they are nearly equal.
 fn segment(half_angle_rad: f32, product: f32) -> f32 {
     if half_angle_rad > 0.8 {
         return half_angle_rad - product;

@@ -4,13 +4,13 @@ use crate::color::Xyz;
 use crate::math::const_for;
 use crate::sensor::{BasicCounts, ReadingError};
 
-/// A matrix from the basic counts of `C` channels to `D` results: XYZ (`D` = 3), illuminance or PPFD alone (`D` = 1),
-/// or anything else that is linear.
+/// A matrix from the basic counts of `C` channels to `D` results: XYZ (`D` = 3), illuminance or PPFD alone
+/// (`D` = 1), or anything else that is linear.
 ///
 /// It comes from measured patches ([`Fit`](crate::sensor::Fit)), from a reconstruction seen by an eye
-/// ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's application note
-/// ([`from_rows`](Self::from_rows)). What is linear and constant in front of it folds in, while compiling:
-/// [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
+/// ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's application
+/// note ([`from_rows`](Self::from_rows)). What is linear and constant in front of it folds in, while
+/// compiling: [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
 /// [`without_crosstalk`](Self::without_crosstalk).
 ///
 /// Y is in lux if the calibration was made in lux, or scaled to one known illuminance.
@@ -54,27 +54,28 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         self
     }
 
-    /// The same calibration for another chip, whose channels multiplied by `factors` are those of the one that was
-    /// calibrated (the golden device).
+    /// The same calibration for another chip, whose channels multiplied by `factors` are those of the one
+    /// that was calibrated (the golden device).
     #[must_use]
     pub const fn corrected(mut self, factors: &[f32; C]) -> Self {
         const_for!(0..D, |d| const_for!(0..C, |c| self.0[d][c] *= factors[c]));
         self
     }
 
-    /// The same calibration for a chip behind a window or a diffuser that passes `transmittance` (above 0) of every
-    /// wavelength alike. Glass with a color belongs into the responsivities:
+    /// The same calibration for a chip behind a window or a diffuser that passes `transmittance` (above 0) of
+    /// every wavelength alike. Glass with a color belongs into the responsivities:
     /// [`Observer::through`](crate::Observer::through).
     #[must_use]
     pub const fn behind_glass(self, transmittance: f32) -> Self {
         self.scaled(1.0 / transmittance)
     }
 
-    /// The same calibration for counts in which channels leak into each other: count `i` is the sum over `j` of
-    /// `crosstalk[i][j]` times the true one.
+    /// The same calibration for counts in which channels leak into each other: count `i` is the sum over `j`
+    /// of `crosstalk[i][j]` times the true one.
     ///
     /// # Errors
-    /// [`CrosstalkError`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its row.
+    /// [`CrosstalkError`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its
+    /// row.
     pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, CrosstalkError> {
         // With M the matrix of the leakage and W the rows here, the new rows solve V M = W: Gauss on M's
         // transpose, with the largest pivot of each column.

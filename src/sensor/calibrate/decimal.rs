@@ -1,11 +1,11 @@
 //! Numbers as people write them, to f32, in integers and in `const fn`.
 
-/// The number that begins at `at`: sign, digits with or without a point, exponent. `None` if there is no digit;
-/// and where it ends. Beyond the range of f32 it is infinite.
+/// The number that begins at `at`: sign, digits with or without a point, exponent. `None` if there is no
+/// digit; and where it ends. Beyond the range of f32 it is infinite.
 ///
 /// # Accuracy
-/// The nearest f32. (Of more than 19 digits, or below 1e-19 or beyond 1e19, it may be the other one within 2^-50 of
-/// half way between two.)
+/// The nearest f32. (Of more than 19 digits, or below 1e-19 or beyond 1e19, it may be the other one within
+/// 2^-50 of half way between two.)
 pub(super) const fn decimal(text: &[u8], mut at: usize) -> (Option<f32>, usize) {
     let negative = byte(text, at) == b'-';
     if matches!(byte(text, at), b'-' | b'+') {

@@ -27,13 +27,14 @@ use core::fmt;
 /// ```
 ///
 /// # Accuracy
-/// Coefficients of 297 patches are within 1.5e-5 of the largest in their row, counts and targets from 1e-30 to
-/// 1e28: it works on the counts and not on their squares, which would lose twice the digits.
+/// Coefficients of 297 patches are within 1.5e-5 of the largest in their row, counts and targets from 1e-30
+/// to 1e28: it works on the counts and not on their squares, which would lose twice the digits.
 ///
-/// What a calibration is worth is another matter: an AS7341 fitted to the 99 samples of CIE 224 under FL2, FL11
-/// and LED-B3 measures the lamps of CIE 15 within 0.8 % in illuminance and 1.4 % in CCT in the mean, 5 and 11 %
-/// at worst, under red-green-blue LEDs and discharge lamps (`tests/sensor/as7341.rs`, with noise). Its residual
-/// on the patches, 0.7 % of Y, does not tell: lamps of the kind to be measured belong among the patches.
+/// What a calibration is worth is another matter: an AS7341 fitted to the 99 samples of CIE 224 under FL2,
+/// FL11 and LED-B3 measures the lamps of CIE 15 within 0.8 % in illuminance and 1.4 % in CCT in the mean, 5
+/// and 11 % at worst, under red-green-blue LEDs and discharge lamps (`tests/sensor/as7341.rs`, with noise).
+/// Its residual on the patches, 0.7 % of Y, does not tell: lamps of the kind to be measured belong among the
+/// patches.
 ///
 /// # Cost
 /// 2.1 KB of code at opt-level "s" on a Cortex-M4F. In `const fn` too: 24 patches are 14 thousand steps of
@@ -57,13 +58,13 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         Fit { triangle: Triangle::new(), patches: 0 }
     }
 
-    /// Adds a patch: its counts, what they should come to (XYZ with Y in lux gives lux), and the weight of its
-    /// error.
+    /// Adds a patch: its counts, what they should come to (XYZ with Y in lux gives lux), and the weight of
+    /// its error.
     ///
     /// What becomes small is the sum of (weight * error)^2. With weight 1 the brightest patches decide, with
-    /// 1 / Y ([`add_relative`](Self::add_relative)) the error counts relative to each patch's brightness, which
-    /// is how eyes and noise count. A patch of weight 0 is not there. Lights that saturate the sensor must not
-    /// be added.
+    /// 1 / Y ([`add_relative`](Self::add_relative)) the error counts relative to each patch's brightness,
+    /// which is how eyes and noise count. A patch of weight 0 is not there. Lights that saturate the sensor
+    /// must not be added.
     ///
     /// # Cost
     /// `C` + `D` square roots, some 4 `C` + 2 `D` divisions, 2 `C` (`C` + 2 `D`) multiplications.
@@ -156,9 +157,9 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         Ok(errors)
     }
 
-    /// How far an error of the counts is magnified in the matrix: the largest over the smallest singular value of
-    /// the patches' counts, weighted, each channel relative to its size. 1 at best; 10 to 100 is usual for lamps
-    /// and eight channels.
+    /// How far an error of the counts is magnified in the matrix: the largest over the smallest singular
+    /// value of the patches' counts, weighted, each channel relative to its size. 1 at best; 10 to 100 is
+    /// usual for lamps and eight channels.
     ///
     /// # Errors
     /// As [`solve`](Self::solve).

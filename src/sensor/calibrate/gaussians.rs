@@ -7,8 +7,8 @@ use crate::spectrum::Power;
 
 /// Gaussian channels on any grid, from (peak, full width at half maximum), both in nm; each 1 at its peak.
 ///
-/// On bins wider than a few nanometers these are values at the centers and not averages: make them on 1 nm and
-/// [`fold`](Observer::fold).
+/// On bins wider than a few nanometers these are values at the centers and not averages: make them on 1 nm
+/// and [`fold`](Observer::fold).
 ///
 /// ```
 /// # use nanospectra::{Nodes, Observer, Power, sensor::gaussian_responsivities};

@@ -1,4 +1,5 @@
-//! What turns basic counts into color or a spectrum: matrices, and the responsivities or patches that they come from.
+//! What turns basic counts into color or a spectrum: matrices, and the responsivities or patches that they
+//! come from.
 
 mod calibration;
 mod decimal;

@@ -8,12 +8,14 @@ use crate::sensor::{BasicCounts, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::sum;
 
-/// The spectrum without negative bins that explains the counts best: the least of |what the sensor would count
+/// The spectrum without negative bins that explains the counts best: the least of |what the sensor would
+/// count
 /// - the counts|^2 + alpha * (mean signal of the channels)^2 * |spectrum|^2.
 ///
-/// Where a [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED, this one
-/// is 0. It costs a search each time; `alpha` is as there, [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more.
-/// Counts below zero are noise, and no light explains them: they pull the spectrum to 0.
+/// Where a [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED,
+/// this one is 0. It costs a search each time; `alpha` is as there,
+/// [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more. Counts below zero are noise, and no light
+/// explains them: they pull the spectrum to 0.
 ///
 /// ```
 /// use nanospectra::sensor::{DEFAULT_ALPHA, BasicCounts, nonnegative_spectrum, chip::as7341};
@@ -32,9 +34,9 @@ use crate::sum::sum;
 /// Within 8e-7 of the peak of the minimum for lamps, lasers and narrow LEDs at alpha 1e-3 to 0.1.
 ///
 /// # Cost
-/// For each step a least squares of `C` unknowns over the bins that are not 0, and one of all bins at the end. Lamps
-/// and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of which no light makes, the
-/// longest took 34.
+/// For each step a least squares of `C` unknowns over the bins that are not 0, and one of all bins at the
+/// end. Lamps and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of which
+/// no light makes, the longest took 34.
 ///
 /// # Errors
 /// `NotConverged` after `max_iterations` steps: 50 are plenty. `NotFinite` for NaN, infinity or an alpha that
@@ -66,9 +68,10 @@ pub fn nonnegative_spectrum<const C: usize, const N: usize, G: Grid>(
     if largest(light.values()).is_finite() { Ok(light) } else { Err(FitError::NotFinite) }
 }
 
-/// The search in `C` unknowns m instead of `N`: at the minimum the spectrum is max(0, G' m), and m is where the
-/// convex function alpha |m|^2 / 2 + |max(0, G' m)|^2 / 2 - counts . m is least. It is made of parabolas, one
-/// for each set of bright bins: go to the least point of the present one, but not beyond the valley on the way.
+/// The search in `C` unknowns m instead of `N`: at the minimum the spectrum is max(0, G' m), and m is where
+/// the convex function alpha |m|^2 / 2 + |max(0, G' m)|^2 / 2 - counts . m is least. It is made of parabolas,
+/// one for each set of bright bins: go to the least point of the present one, but not beyond the valley on
+/// the way.
 struct Search<const C: usize, const N: usize> {
     g: [[f32; N]; C],
     counts: [f32; C],
@@ -130,8 +133,8 @@ impl<const C: usize, const N: usize> Search<C, N> {
         light.map(|value| if value > 0.0 { value } else { 0.0 })
     }
 
-    /// The m that is best if just the bins that are bright now are: (alpha + G G') m = counts over these bins,
-    /// as least squares.
+    /// The m that is best if just the bins that are bright now are: (alpha + G G') m = counts over these
+    /// bins, as least squares.
     fn least(&self, spectrum: &[f32; N]) -> [f32; C] {
         let start = self.counts.map(|count| [count / self.root_alpha]);
         let mut triangle = Triangle::<C, 1>::ridge(self.root_alpha, start);

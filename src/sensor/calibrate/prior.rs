@@ -44,8 +44,8 @@ pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [
     products
 }
 
-/// L of L L' = `covariance`, by Cholesky's steps with the largest variance that is left first, and not further
-/// than rounding: what six lamps span has six columns.
+/// L of L L' = `covariance`, by Cholesky's steps with the largest variance that is left first, and not
+/// further than rounding: what six lamps span has six columns.
 pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]) -> [[f32; N]; N] {
     let (mut left, mut columns) = ([0.0; N], [[0.0; N]; N]);
     let mut largest = 0.0;

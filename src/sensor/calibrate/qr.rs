@@ -28,8 +28,8 @@ impl<const C: usize, const D: usize> Triangle<C, D> {
         start
     }
 
-    /// One more equation, `row` times the unknowns = `b`: for each unknown a reflection of two rows that makes
-    /// the new one zero there.
+    /// One more equation, `row` times the unknowns = `b`: for each unknown a reflection of two rows that
+    /// makes the new one zero there.
     pub(super) const fn absorb(&mut self, mut row: [f32; C], mut b: [f32; D]) {
         const_for!(0..C, |k| {
             let norm = hypot(self.r[k][k], row[k]);

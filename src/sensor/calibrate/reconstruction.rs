@@ -12,12 +12,12 @@ use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::rows;
 use core::marker::PhantomData;
 
-/// The damping `alpha` to begin with: the variance of the noise over the variance that the channels' signals would
-/// have if every bin varied for itself.
+/// The damping `alpha` to begin with: the variance of the noise over the variance that the channels' signals
+/// would have if every bin varied for itself.
 ///
-/// For a sensor like the AS7341 every smaller value gives the same RMS error of reflectances, 0.013, within 1.4 %,
-/// and only amplifies the noise of the counts; in f32, normal equations (which this crate does not use) fail below
-/// 1e-6. A larger one darkens the light: 1e-1 costs 27 % in RMS.
+/// For a sensor like the AS7341 every smaller value gives the same RMS error of reflectances, 0.013, within
+/// 1.4 %, and only amplifies the noise of the counts; in f32, normal equations (which this crate does not
+/// use) fail below 1e-6. A larger one darkens the light: 1e-1 costs 27 % in RMS.
 pub const DEFAULT_ALPHA: f32 = 1e-2;
 
 /// A matrix from the counts of `C` channels to `N` bins of light, power per nm: `N` times `C` numbers.
@@ -42,15 +42,16 @@ pub const DEFAULT_ALPHA: f32 = 1e-2;
 /// ```
 ///
 /// # Accuracy
-/// The matrix is within 1.2e-6 of its largest entry for channels like the AS7341's at every alpha from 1e-6 to
-/// 0.1, 6e-6 for channels 80 nm wide and 6e-5 for 120 nm: a QR factor of the damped sensor, not its normal
-/// equations, which fail there in f32. Seen by an eye, an AS7341 with *known* responsivities measures the lamps
-/// of CIE 15 within 0.9 % in illuminance and 1.8 % in CCT in the mean, 3.4 and 7 % at worst
+/// The matrix is within 1.2e-6 of its largest entry for channels like the AS7341's at every alpha from 1e-6
+/// to 0.1, 6e-6 for channels 80 nm wide and 6e-5 for 120 nm: a QR factor of the damped sensor, not its normal
+/// equations, which fail there in f32. Seen by an eye, an AS7341 with *known* responsivities measures the
+/// lamps of CIE 15 within 0.9 % in illuminance and 1.8 % in CCT in the mean, 3.4 and 7 % at worst
 /// (`tests/sensor/as7341.rs`).
 ///
 /// # Cost
 /// For `const` use, though it may run on a device (4.8 KB of code): 8 channels on 31 bins take 17 thousand
-/// steps of evaluation, on 471 bins 160 thousand (rustc's limit is two million), 30 and 240 ms of compile time.
+/// steps of evaluation, on 471 bins 160 thousand (rustc's limit is two million), 30 and 240 ms of compile
+/// time.
 pub struct Reconstruction<const C: usize, const N: usize, G>([[f32; C]; N], PhantomData<G>);
 
 by_fields!([const C: usize, const N: usize, G] Reconstruction<C, N, G>, "Reconstruction": 0);
@@ -103,8 +104,8 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     }
 
     /// For spectra whose bins vary together as `covariance` says (symmetric):
-    /// [`covariance_of`](crate::sensor::covariance_of) lamps, or anything computed; what it says to be a negative
-    /// variance counts as none.
+    /// [`covariance_of`](crate::sensor::covariance_of) lamps, or anything computed; what it says to be a
+    /// negative variance counts as none.
     ///
     /// # Errors
     /// As [`smooth`](Self::smooth).
@@ -155,8 +156,8 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         &self.0
     }
 
-    /// The likeliest spectrum for these counts, power per nm in the unit of the sensor's responsivities. It may
-    /// be negative in places: [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is not.
+    /// The likeliest spectrum for these counts, power per nm in the unit of the sensor's responsivities. It
+    /// may be negative in places: [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is not.
     ///
     /// # Accuracy
     /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
@@ -180,7 +181,8 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     }
 }
 
-/// The variance of signals if all bins varied apart, over the variance they have: both are mean squares of rows.
+/// The variance of signals if all bins varied apart, over the variance they have: both are mean squares of
+/// rows.
 const fn share<const C: usize, const N: usize>(
     apart: &[[f32; N]; C],
     together: &[[f32; N]; C],

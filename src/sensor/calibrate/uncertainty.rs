@@ -1,5 +1,5 @@
-//! How far a result may be off by chance: the noise of the counts, carried through to X, Y, Z, color temperature and
-//! Duv.
+//! How far a result may be off by chance: the noise of the counts, carried through to X, Y, Z, color
+//! temperature and Duv.
 
 use crate::color::{Cct, Uv1960, Xyz};
 use crate::sensor::reading::root;
@@ -69,7 +69,8 @@ pub struct CctUncertainty {
 const STEP_UV: f32 = 5e-4;
 
 impl XyzCovariance {
-    /// The standard uncertainties (k = 1) of X, Y and Z. That of Y is that of lux, if the calibration was in lux.
+    /// The standard uncertainties (k = 1) of X, Y and Z. That of Y is that of lux, if the calibration was in
+    /// lux.
     #[must_use]
     pub fn uncertainty(&self) -> Xyz {
         Xyz::new(root(self.xx), root(self.yy), root(self.zz))
@@ -128,7 +129,8 @@ impl Place {
 
     /// How both change with u, and with v.
     fn slopes(self, at: Uv1960) -> Option<(Self, Self)> {
-        // Along u and v; at an edge of the range, where one of these may lead out of it both ways, along diagonals.
+        // Along u and v; at an edge of the range, where one of these may lead out of it both ways, along
+        // diagonals.
         let directions = [(1.0, 0.0), (0.0, 1.0), (0.7, 0.7), (0.7, -0.7)];
         let mut slopes = directions.into_iter().filter_map(|way| Some((way, self.slope(at, way)?)));
         let ((way_a, a), (way_b, b)) = (slopes.next()?, slopes.next()?);

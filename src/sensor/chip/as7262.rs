@@ -4,8 +4,8 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting, of_width};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// The exposure of these settings: the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8 ms, 1 to 255
-/// (0 counts as 1): the rule of the AS7261, AS7263 and AS7265x too.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the integration time in `cycles` of 2.8
+/// ms, 1 to 255 (0 counts as 1): the rule of the AS7261, AS7263 and AS7265x too.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7262;
@@ -23,8 +23,8 @@ pub static GAINS: [f32; 4] = [1.0, 3.7, 16.0, 64.0];
 pub static CHANNELS: [&str; 6] = ["v", "b", "g", "y", "o", "r"];
 
 ladder! {
-    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 3 and 11 ms below that for glaring light, 100 and
-    /// 200 ms above it.
+    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 3 and 11 ms below that for glaring
+    /// light, 100 and 200 ms above it.
     [(f32, u8); 8]:
     (1.0, 1), (1.0, 4), (1.0, 18), (3.7, 18), (16.0, 18), (64.0, 18), (64.0, 36), (64.0, 72),
 }

@@ -1,4 +1,5 @@
-//! AS7265x of ams OSRAM: 18 bands from the ultraviolet to the near infrared on three dies, calibrated by the chip.
+//! AS7265x of ams OSRAM: 18 bands from the ultraviolet to the near infrared on three dies, calibrated by the
+//! chip.
 
 use crate::grid::Nodes;
 use crate::observer::Observer;

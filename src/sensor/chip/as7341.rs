@@ -7,8 +7,9 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// The exposure of these settings: the gain (one of [`GAINS`]) and the registers ATIME and ASTEP (at most 65 534). The
-/// time is (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below 65 535.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the registers ATIME and ASTEP (at most 65
+/// 534). The time is (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below
+/// 65 535.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7341;
@@ -25,12 +26,13 @@ pub const fn exposure(gain: f32, atime: u8, astep: u16) -> Exposure {
 /// The gains of register AGAIN, 0 to 10.
 pub static GAINS: [f32; 11] = [0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 512.0];
 
-/// F1 to F8, by wavelength. Drivers give clear and near infrared behind them, which [`NOMINAL`] does not have.
+/// F1 to F8, by wavelength. Drivers give clear and near infrared behind them, which [`NOMINAL`] does not
+/// have.
 pub static CHANNELS: [&str; 8] = ["f1", "f2", "f3", "f4", "f5", "f6", "f7", "f8"];
 
 ladder! {
-    /// Over four and a half decades of sensitivity: every gain at 50 ms, which averages mains of 50 and of 60 Hz, 5 ms
-    /// below that for glaring light, 100 and 200 ms above it.
+    /// Over four and a half decades of sensitivity: every gain at 50 ms, which averages mains of 50 and of 60
+    /// Hz, 5 ms below that for glaring light, 100 and 200 ms above it.
     [(f32, u8, u16); 15]:
     (0.5, 2, 599), (0.5, 8, 599), (0.5, 29, 599), (1.0, 29, 599), (2.0, 29, 599), (4.0, 29, 599),
     (8.0, 29, 599), (16.0, 29, 599), (32.0, 29, 599), (64.0, 29, 599), (128.0, 29, 599), (256.0, 29, 599),

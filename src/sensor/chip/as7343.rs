@@ -13,8 +13,8 @@ pub static GAINS: [f32; 13] =
 pub static CHANNELS: [&str; 11] = ["f1", "f2", "fz", "f3", "f4", "f5", "fy", "fxl", "f6", "f7", "f8"];
 
 ladder! {
-    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 5 and 15 ms below that for glaring light, 100 and
-    /// 200 ms above it.
+    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 5 and 15 ms below that for glaring
+    /// light, 100 and 200 ms above it.
     [(f32, u8, u16); 17]:
     (0.5, 2, 599), (0.5, 8, 599), (0.5, 29, 599), (1.0, 29, 599), (2.0, 29, 599), (4.0, 29, 599),
     (8.0, 29, 599), (16.0, 29, 599), (32.0, 29, 599), (64.0, 29, 599), (128.0, 29, 599), (256.0, 29, 599),
@@ -22,7 +22,8 @@ ladder! {
 }
 
 /// 405 to 745 nm, in the order of [`CHANNELS`], as Gaussians (widths as users of the TCS3448 tabulate them);
-/// [not your chip's own](crate::sensor::chip#nominal-responsivities). Without the infrared and the clear channel.
+/// [not your chip's own](crate::sensor::chip#nominal-responsivities). Without the infrared and the clear
+/// channel.
 pub static NOMINAL: FineObserver<11> = gaussian_responsivities([
     (405.0, 28.0),
     (425.0, 29.0),

@@ -12,8 +12,9 @@
 //! | `TO_XYZ`, `TO_LUX` | published matrices |
 //! | `CHIP` | all of this as a [`Chip`], for programs that let their users choose |
 //!
-//! A name is missing where the chip has no such thing, or its maker publishes nothing to make it from. What a program
-//! does not name is not in its image. Beside a driver crate of the same name, import `chip` and write `chip::as7341`.
+//! A name is missing where the chip has no such thing, or its maker publishes nothing to make it from. What a
+//! program does not name is not in its image. Beside a driver crate of the same name, import `chip` and write
+//! `chip::as7341`.
 //!
 //! ```
 //! use nanospectra::sensor::AutoExposure;
@@ -27,11 +28,12 @@
 //!
 //! # Nominal responsivities
 //!
-//! They are Gaussians with the peaks and widths of data sheets, *not* the chip on your bus, and each is 1 at its peak.
-//! Real peaks lie 5 to 10 nm beside the nominal ones (users have measured 410, 440, 470, 510, 550, 583, 620 and 670 nm
-//! for the AS7341), real curves are no Gaussians, and every channel leaks a little infrared. They serve for
-//! simulation, for tests and for a first look; a measured table ([`responsivities`](crate::sensor::responsivities)) or
-//! measured patches ([`Fit`](crate::sensor::Fit)) make an instrument.
+//! They are Gaussians with the peaks and widths of data sheets, *not* the chip on your bus, and each is 1 at
+//! its peak. Real peaks lie 5 to 10 nm beside the nominal ones (users have measured 410, 440, 470, 510, 550,
+//! 583, 620 and 670 nm for the AS7341), real curves are no Gaussians, and every channel leaks a little
+//! infrared. They serve for simulation, for tests and for a first look; a measured table
+//! ([`responsivities`](crate::sensor::responsivities)) or measured patches ([`Fit`](crate::sensor::Fit)) make
+//! an instrument.
 
 use crate::grid::{Grid, Nodes};
 use crate::math::const_for;
@@ -86,8 +88,8 @@ pub struct Chip {
     pub summary: &'static str,
     /// The names of its channels in lower case, in the order of `NOMINAL` and `TO_XYZ`.
     pub channels: &'static [&'static str],
-    /// What [`exposure`](Self::exposure) takes: the gain first, then registers; nothing if counts do not depend on
-    /// them.
+    /// What [`exposure`](Self::exposure) takes: the gain first, then registers; nothing if counts do not
+    /// depend on them.
     pub settings: &'static [Setting],
     /// The settings of `LADDER`, from the least to the most sensitive; none if there is nothing to set.
     pub ladder: &'static [&'static [f32]],
@@ -104,8 +106,8 @@ pub struct Chip {
 }
 
 impl Chip {
-    /// The exposure that these [`settings`](Self::settings) make; `None` if their number is another or the chip does
-    /// not have one of them.
+    /// The exposure that these [`settings`](Self::settings) make; `None` if their number is another or the
+    /// chip does not have one of them.
     #[must_use]
     pub fn exposure(&self, settings: &[f32]) -> Option<Exposure> {
         let allowed = self.settings.iter().zip(settings).all(|(setting, value)| setting.allows(*value));
@@ -127,7 +129,8 @@ impl Chip {
         }
     }
 
-    /// The wavelength at which one channel of `NOMINAL` peaks, in whole nm; `None` as for [`nominal`](Self::nominal).
+    /// The wavelength at which one channel of `NOMINAL` peaks, in whole nm; `None` as for
+    /// [`nominal`](Self::nominal).
     #[must_use]
     pub fn peak_nm(&self, channel: usize) -> Option<f32> {
         let (first_nm, row) = match self.nominal? {

@@ -3,8 +3,8 @@
 use crate::sensor::chip::{Chip, rows};
 use crate::sensor::{Calibration, Exposure};
 
-/// The exposure of every reading: [codes](code) do not depend on range and conversion time, so that basic counts are
-/// the codes themselves.
+/// The exposure of every reading: [codes](code) do not depend on range and conversion time, so that basic
+/// counts are the codes themselves.
 #[must_use]
 pub const fn exposure() -> Exposure {
     Exposure::new(1.0, 1.0, LARGEST)

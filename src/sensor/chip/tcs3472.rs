@@ -6,9 +6,9 @@
 use crate::sensor::Exposure;
 use crate::sensor::chip::{Chip, Setting};
 
-/// The exposure of these settings: the gain (one of [`GAINS`]) and the register ATIME. Each of 256 - ATIME cycles lasts
-/// 2.4 ms and fills 1024 counts. Shorter than 150 ms a light on mains may saturate the cell in its crests while the
-/// average does not show it (ripple): only 75 % of the full scale are trusted there.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the register ATIME. Each of 256 - ATIME
+/// cycles lasts 2.4 ms and fills 1024 counts. Shorter than 150 ms a light on mains may saturate the cell in
+/// its crests while the average does not show it (ripple): only 75 % of the full scale are trusted there.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::tcs3472;
@@ -32,8 +32,8 @@ pub static GAINS: [f32; 4] = [1.0, 4.0, 16.0, 60.0];
 pub static CHANNELS: [&str; 4] = ["red", "green", "blue", "clear"];
 
 ladder! {
-    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 2 and 14 ms below that for glaring light, 200 and
-    /// 614 ms above it.
+    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 2 and 14 ms below that for glaring
+    /// light, 200 and 614 ms above it.
     [(f32, u8); 8]:
     (1.0, 255), (1.0, 250), (1.0, 235), (4.0, 235), (16.0, 235), (60.0, 235), (60.0, 172), (60.0, 0),
 }

@@ -8,14 +8,14 @@ include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
 
 /// Segments of the table.
 const SEGMENTS: usize = FIXED_LOCUS.len() - 1;
-/// 0.05 in units of 2^-20, with room for what the formula is off; and where a point is surely off the locus, in
-/// units of 2^-18.
+/// 0.05 in units of 2^-20, with room for what the formula is off; and where a point is surely off the locus,
+/// in units of 2^-18.
 const MAX_DUV: i32 = 52_429 + 32;
 const FAR: i32 = 16_384;
 /// What a sign seen from afar may be wrong by, in units of 2^-30.
 const SLACK: i32 = 16 << 14;
-/// 1 mired and 1000 mired in 4096ths, with 1/100 of a mired as room for rounding at the cold end and 1/20 at the
-/// hot.
+/// 1 mired and 1000 mired in 4096ths, with 1/100 of a mired as room for rounding at the cold end and 1/20 at
+/// the hot.
 const HOTTEST: u32 = 4096 - 205;
 const COLDEST: u32 = 4_096_000 + 41;
 
@@ -26,7 +26,8 @@ const COLDEST: u32 = 4_096_000 + 41;
 pub enum FixedCct {
     /// A color near the locus.
     Near {
-        /// Temperature of the nearest black body, to the nearest K, 1000..=1 000 000 (and 5 % more, for rounding).
+        /// Temperature of the nearest black body, to the nearest K, 1000..=1 000 000 (and 5 % more, for
+        /// rounding).
         cct_k: u32,
         /// Its reciprocal in thousandths of a mired, which keeps what whole kelvins lose at the cold end.
         mired_e3: u32,
@@ -82,7 +83,8 @@ impl FixedCct {
         }
         let (d0, d1) = (from.along(u, v), to.along(u, v));
         let r = share(d0, d0 - d1);
-        // Both distances in units of 2^-20; their mean, weighted, and what the locus bends away from both tangents.
+        // Both distances in units of 2^-20; their mean, weighted, and what the locus bends away from both
+        // tangents.
         let (n0, n1) = (from.across(u, v) >> 14, to.across(u, v) >> 14);
         let mean = n0 + (((n1 - n0) * r) >> 15);
         let product = ((d0 >> 14) * (d1 >> 14)) >> 14;
@@ -145,8 +147,8 @@ fn share(part: i32, whole: i32) -> i32 {
     if part < 0 { -digits } else { digits }
 }
 
-/// numerator / denominator in units of 2^-digits, rounded, for numerator < denominator < 2^31: one binary digit at a
-/// time, since a Cortex-M0 has no division. (The compiler's own is as quick and takes 400 bytes.)
+/// numerator / denominator in units of 2^-digits, rounded, for numerator < denominator < 2^31: one binary
+/// digit at a time, since a Cortex-M0 has no division. (The compiler's own is as quick and takes 400 bytes.)
 #[inline(never)]
 pub(super) fn quotient(numerator: u32, denominator: u32, digits: u32) -> i32 {
     let (mut rest, mut found, mut left) = (numerator, 0, digits + 1);

@@ -4,16 +4,16 @@ use crate::math::const_for;
 use crate::sensor::fixed::FixedXyz;
 use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 
-/// A light meter in integers: the exposure, dark level and calibration of a [`Meter`](crate::sensor::Meter) as weights
-/// of 31 bits.
+/// A light meter in integers: the exposure, dark level and calibration of a [`Meter`](crate::sensor::Meter)
+/// as weights of 31 bits.
 ///
 /// # Accuracy
-/// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight were
-/// negative).
+/// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight
+/// were negative).
 ///
 /// # Cost
-/// Eight channels to XYZ and lux on a Cortex-M0: 306 instructions, where [`Meter`](crate::sensor::Meter) takes some
-/// 6 400.
+/// Eight channels to XYZ and lux on a Cortex-M0: 306 instructions, where [`Meter`](crate::sensor::Meter)
+/// takes some 6 400.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FixedMeter<const C: usize> {
     /// Of each channel, what 2^16 counts add to X, Y and Z.
@@ -38,8 +38,8 @@ impl<const C: usize> FixedMeter<C> {
         Self::new_above(exposure, &[0.0; C], calibration)
     }
 
-    /// A meter that first takes these dark levels, in counts of the exposure, off each channel; `None` too if one is
-    /// not within 0..=65 535.
+    /// A meter that first takes these dark levels, in counts of the exposure, off each channel; `None` too if
+    /// one is not within 0..=65 535.
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,
@@ -48,8 +48,8 @@ impl<const C: usize> FixedMeter<C> {
     ) -> Option<Self> {
         let per_count = 1.0 / (exposure.gain() as f64 * exposure.time_ms() as f64);
         let rows = calibration.rows();
-        // The largest sum of sizes of a row decides on the scale: 65 535 counts in every channel, and the start is
-        // no larger than that, since no dark level is.
+        // The largest sum of sizes of a row decides on the scale: 65 535 counts in every channel, and the
+        // start is no larger than that, since no dark level is.
         let mut largest = 0.0;
         const_for!(0..3, |d| {
             let mut sum = 0.0;
@@ -93,8 +93,8 @@ impl<const C: usize> FixedMeter<C> {
     /// The tristimulus values of one reading.
     ///
     /// # Errors
-    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is below
-    /// zero.
+    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
+    /// below zero.
     #[inline]
     pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
         let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
@@ -120,8 +120,8 @@ impl<const C: usize> FixedMeter<C> {
     }
 }
 
-/// count * weight / 2^16, rounded down: a product of 48 bits by two of 32. Neither overflows: |weight| < 2^30, so
-/// the upper half is within 2^14, and 16 bits by 16 fit.
+/// count * weight / 2^16, rounded down: a product of 48 bits by two of 32. Neither overflows: |weight| <
+/// 2^30, so the upper half is within 2^14, and 16 bits by 16 fit.
 #[inline(always)]
 fn times(count: u32, weight: i32) -> i32 {
     let upper = count as i32 * (weight >> 16);

@@ -1,7 +1,8 @@
 //! The same calibration in integers, for cores without an FPU: counts to XYZ, illuminance, CCT and Duv.
 //!
-//! A Cortex-M0 multiplies 32 bits in one instruction and takes a hundred for a float. The weights are integers
-//! here, scaled so that no sum can overflow whatever the counts, and the sums stay exact to a few units of 2^-30.
+//! A Cortex-M0 multiplies 32 bits in one instruction and takes a hundred for a float. The weights are
+//! integers here, scaled so that no sum can overflow whatever the counts, and the sums stay exact to a few
+//! units of 2^-30.
 //!
 //! ```
 //! use nanospectra::sensor::{Calibration, Exposure};

@@ -8,8 +8,8 @@ use core::marker::PhantomData;
 
 /// An [`Observer`] with weights of 16 bits that reads samples of 16 bits.
 ///
-/// The weights are stored with an offset, so that none is negative and all use the 16 bits: a sum of products has
-/// the offset times the sum of samples taken off again.
+/// The weights are stored with an offset, so that none is negative and all use the 16 bits: a sum of products
+/// has the offset times the sum of samples taken off again.
 ///
 /// ```
 /// # use nanospectra::{Curve, Factor, Observer, light::FL11, observer::CIE_1931};
@@ -83,8 +83,8 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
         Some(FixedObserver { rows: fixed, offset, shift: shift as u32, unit, grid: PhantomData })
     }
 
-    /// What one unit of the sums stands for, for samples that count 1 each: a sample scaled by `k` has `unit() /
-    /// k`.
+    /// What one unit of the sums stands for, for samples that count 1 each: a sample scaled by `k` has
+    /// `unit() / k`.
     #[must_use]
     pub const fn unit(&self) -> f32 {
         self.unit
@@ -105,8 +105,8 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
         sums
     }
 
-    /// Eight at a time, by name: a loop over the rows inside one over the samples takes a third more instructions
-    /// on a Cortex-M0, and twice as many at opt-level "s".
+    /// Eight at a time, by name: a loop over the rows inside one over the samples takes a third more
+    /// instructions on a Cortex-M0, and twice as many at opt-level "s".
     #[inline]
     fn dot(&self, row: &[u16; N], samples: &[u16; N]) -> u32 {
         let product = |a: u16, b: u16| (u32::from(a) * u32::from(b)) >> self.shift;

@@ -18,7 +18,8 @@ pub struct FixedXyz {
 }
 
 impl FixedXyz {
-    /// `[X, Y, Z]` in units of 2^-fraction, where `fraction` is -62..=62 (beyond that it counts as the nearest).
+    /// `[X, Y, Z]` in units of 2^-fraction, where `fraction` is -62..=62 (beyond that it counts as the
+    /// nearest).
     #[must_use]
     pub const fn new([x, y, z]: [i32; 3], fraction: i32) -> Self {
         let fraction = if fraction > 62 { 62 } else { fraction };
@@ -64,8 +65,8 @@ impl FixedXyz {
         }
     }
 
-    /// Y in thousandths, to the nearest below: millilux. Negative ones are 0, and what is beyond `u32::MAX` is
-    /// that.
+    /// Y in thousandths, to the nearest below: millilux. Negative ones are 0, and what is beyond `u32::MAX`
+    /// is that.
     #[must_use]
     pub const fn millilux(self) -> u32 {
         let y = if self.y > 0 { self.y as u64 * 1000 } else { 0 };
@@ -96,16 +97,16 @@ impl FixedXyz {
         Some([quotient(4 * x as u32, sum as u32, 20), quotient(6 * y as u32, sum as u32, 20)])
     }
 
-    /// CCT and Duv on the CIE 1931 2 degree observer, as [`Uv1960::cct`](crate::color::Uv1960::cct); `None` for
-    /// black.
+    /// CCT and Duv on the CIE 1931 2 degree observer, as [`Uv1960::cct`](crate::color::Uv1960::cct); `None`
+    /// for black.
     ///
     /// # Accuracy
-    /// 0.13 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums above
-    /// 2^20.
+    /// 0.13 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums
+    /// above 2^20.
     ///
     /// # Cost
-    /// From counts on 1700 instructions on a Cortex-M0, where [`Uv1960::cct`](crate::color::Uv1960::cct) alone takes
-    /// 14 300; 500 bytes of table.
+    /// From counts on 1700 instructions on a Cortex-M0, where [`Uv1960::cct`](crate::color::Uv1960::cct)
+    /// alone takes 14 300; 500 bytes of table.
     #[must_use]
     pub fn cct(self) -> Option<FixedCct> {
         if self.x | self.y | self.z == 0 {

@@ -1,13 +1,14 @@
 //! Counts divided by gain and time, so that readings with different exposures can be compared.
 
-/// Counts per millisecond at unit gain ("basic counts" in the makers' notes), one for each channel; above dark if a
-/// dark level was taken off.
+/// Counts per millisecond at unit gain ("basic counts" in the makers' notes), one for each channel; above
+/// dark if a dark level was taken off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct BasicCounts<const C: usize>([f32; C]);
 
 impl<const C: usize> BasicCounts<C> {
-    /// Takes numbers that are basic counts already, as of a log, a simulation or a chip that calibrates itself.
+    /// Takes numbers that are basic counts already, as of a log, a simulation or a chip that calibrates
+    /// itself.
     #[must_use]
     pub const fn new(values: [f32; C]) -> Self {
         BasicCounts(values)
@@ -19,8 +20,8 @@ impl<const C: usize> BasicCounts<C> {
         &self.0
     }
 
-    /// The same counts with each channel multiplied by its factor. What is the same for every reading is better folded
-    /// into the [`Calibration`](crate::sensor::Calibration).
+    /// The same counts with each channel multiplied by its factor. What is the same for every reading is
+    /// better folded into the [`Calibration`](crate::sensor::Calibration).
     #[must_use]
     pub fn scaled(mut self, factors: &[f32; C]) -> Self {
         for (value, factor) in self.0.iter_mut().zip(factors) {

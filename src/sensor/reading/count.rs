@@ -2,8 +2,8 @@
 
 use crate::color::Xyz;
 
-/// A raw count: `u16` of most chips, `u32` of those with wide converters (OPT4048, TCS3530), `f32` of those that
-/// calibrate themselves (AS726x).
+/// A raw count: `u16` of most chips, `u32` of those with wide converters (OPT4048, TCS3530), `f32` of those
+/// that calibrate themselves (AS726x).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no raw count",
     note = "counts are u16, u32 or f32: say which at the first, as in `[18_000_u16; 8]`"
@@ -11,8 +11,8 @@ use crate::color::Xyz;
 pub trait Count: Copy + sealed::Sealed {
     /// The count as a number; above 2^24 to 24 bits.
     fn to_f32(self) -> f32;
-    /// Negative while the count is below the full scale (itself below 2^31). Signs are cheaper to collect over the
-    /// channels than comparisons: 16 instructions for eight channels where branches take 20 to 30.
+    /// Negative while the count is below the full scale (itself below 2^31). Signs are cheaper to collect
+    /// over the channels than comparisons: 16 instructions for eight channels where branches take 20 to 30.
     fn headroom(self, full_scale: u32) -> i32;
 }
 
@@ -109,10 +109,11 @@ pub enum ReadingError {
         /// The channels at or above full scale.
         channels: Channels,
     },
-    /// All channels together are not far enough above their dark levels: measure again with more gain or time.
+    /// All channels together are not far enough above their dark levels: measure again with more gain or
+    /// time.
     TooDark,
-    /// X, Y or Z is negative: no light looks like this. Either the calibration was made for other lights, or the
-    /// light is so nearly dark or so pure a red that noise decides; Y alone may still be good.
+    /// X, Y or Z is negative: no light looks like this. Either the calibration was made for other lights, or
+    /// the light is so nearly dark or so pure a red that noise decides; Y alone may still be good.
     Negative {
         /// The sums as they are.
         xyz: Xyz,

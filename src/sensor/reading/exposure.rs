@@ -2,8 +2,8 @@
 
 use crate::sensor::{BasicCounts, Channels, Count, ReadingError};
 
-/// Gain, integration time and the range of trustworthy counts that goes with them: from the registers of a chip by its
-/// module in [`chip`](crate::sensor::chip), or of any other by [`new`](Self::new).
+/// Gain, integration time and the range of trustworthy counts that goes with them: from the registers of a
+/// chip by its module in [`chip`](crate::sensor::chip), or of any other by [`new`](Self::new).
 ///
 /// ```
 /// # use nanospectra::sensor::{ReadingError, chip::as7341};
@@ -25,8 +25,8 @@ pub struct Exposure {
 }
 
 impl Exposure {
-    /// An exposure of any chip: its gain, its integration time in ms, and the first count that cannot be trusted any
-    /// more (below 2^31).
+    /// An exposure of any chip: its gain, its integration time in ms, and the first count that cannot be
+    /// trusted any more (below 2^31).
     ///
     /// Gain and time are above zero; with others, or a product that overflows, every reading is NaN.
     ///
@@ -45,8 +45,8 @@ impl Exposure {
         }
     }
 
-    /// The same exposure with another floor: all channels together must count at least `floor` above their dark
-    /// levels, or the reading is too dark.
+    /// The same exposure with another floor: all channels together must count at least `floor` above their
+    /// dark levels, or the reading is too dark.
     #[must_use]
     pub const fn with_floor(self, floor: f32) -> Self {
         Exposure { floor, ..self }
@@ -85,8 +85,8 @@ impl Exposure {
     /// Converts raw counts to counts per millisecond at unit gain.
     ///
     /// # Errors
-    /// `Saturated` with the channels at full scale, `TooDark` if they do not reach the floor together. A NaN count
-    /// stays NaN.
+    /// `Saturated` with the channels at full scale, `TooDark` if they do not reach the floor together. A NaN
+    /// count stays NaN.
     #[inline(always)]
     pub fn basic_counts<T: Count, const C: usize>(
         &self,
@@ -103,10 +103,11 @@ impl Exposure {
         Ok(BasicCounts::new(counts.map(|count| count.to_f32() * self.per_count)))
     }
 
-    /// Converts raw counts above the dark level of each channel, in counts of this exposure: a frame taken in the
-    /// dark, or [`DarkCounts::levels`](crate::sensor::DarkCounts::levels).
+    /// Converts raw counts above the dark level of each channel, in counts of this exposure: a frame taken in
+    /// the dark, or [`DarkCounts::levels`](crate::sensor::DarkCounts::levels).
     ///
-    /// A channel below its dark level becomes negative and stays so: cutting it off would brighten dark averages.
+    /// A channel below its dark level becomes negative and stays so: cutting it off would brighten dark
+    /// averages.
     ///
     /// # Errors
     /// As [`basic_counts`](Self::basic_counts).

@@ -1,12 +1,12 @@
 //! Read-outs that are not linear: what they report falls short of the light as it grows.
 //!
-//! A path and an observer are linear, so both fold; a read-out is not, and never does. It is applied to what the
-//! observer sees, channel by channel, and undone on what a chip reports before anything else is.
+//! A path and an observer are linear, so both fold; a read-out is not, and never does. It is applied to what
+//! the observer sees, channel by channel, and undone on what a chip reports before anything else is.
 
 use crate::math::const_for;
 
-/// A counter that misses what arrives while it is busy with an event before (non-paralysable dead time): photon
-/// counters, and chips that turn light into a frequency.
+/// A counter that misses what arrives while it is busy with an event before (non-paralysable dead time):
+/// photon counters, and chips that turn light into a frequency.
 ///
 /// ```
 /// use nanospectra::sensor::DeadTime;
@@ -28,13 +28,15 @@ pub struct DeadTime {
 }
 
 impl DeadTime {
-    /// A counter that is busy for so many seconds after each event; a negative time counts as zero. NaN stays NaN.
+    /// A counter that is busy for so many seconds after each event; a negative time counts as zero. NaN stays
+    /// NaN.
     #[must_use]
     pub const fn new(seconds: f32) -> Self {
         DeadTime { seconds: if seconds < 0.0 { 0.0 } else { seconds } }
     }
 
-    /// Events counted per second of `arriving` ones, zero or more; below one in every dead time. NaN stays NaN.
+    /// Events counted per second of `arriving` ones, zero or more; below one in every dead time. NaN stays
+    /// NaN.
     ///
     /// # Accuracy
     /// 2 units of 2^-24.
@@ -49,12 +51,13 @@ impl DeadTime {
         arriving / (1.0 + busy)
     }
 
-    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where any
-    /// number may have arrived. NaN stays NaN.
+    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where
+    /// any number may have arrived. NaN stays NaN.
     ///
     /// # Accuracy
-    /// There and back 2 units in the last place while a sixth of the time is dead at most, 4 up to half of it; close
-    /// to the pole a rounding of what is counted is one over the live share of the time larger in what arrived.
+    /// There and back 2 units in the last place while a sixth of the time is dead at most, 4 up to half of
+    /// it; close to the pole a rounding of what is counted is one over the live share of the time larger in
+    /// what arrived.
     #[must_use]
     #[inline]
     pub const fn arrived(&self, counted: f32) -> Option<f32> {
@@ -65,8 +68,8 @@ impl DeadTime {
     }
 }
 
-/// A response that is not linear: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`, rising
-/// throughout. Photodiodes near saturation, amplifiers, converters.
+/// A response that is not linear: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`,
+/// rising throughout. Photodiodes near saturation, amplifiers, converters.
 ///
 /// ```
 /// use nanospectra::sensor::Nonlinearity;
@@ -86,11 +89,11 @@ pub struct Nonlinearity<const K: usize> {
 const STEPS: usize = 32;
 
 impl<const K: usize> Nonlinearity<K> {
-    /// From the coefficients of x^2, x^3 ..; `None` if one is not finite or if the response does not rise everywhere
-    /// in 0..=1.
+    /// From the coefficients of x^2, x^3 ..; `None` if one is not finite or if the response does not rise
+    /// everywhere in 0..=1.
     ///
-    /// That is judged at 257 places between which the slope must not be able to reach zero by its own bound on how
-    /// it changes; so a response whose slope comes within some thousandths of zero may be refused too.
+    /// That is judged at 257 places between which the slope must not be able to reach zero by its own bound
+    /// on how it changes; so a response whose slope comes within some thousandths of zero may be refused too.
     #[must_use]
     pub const fn new(coefficients: [f32; K]) -> Option<Self> {
         let bend = Nonlinearity { coefficients };

@@ -10,17 +10,17 @@ use crate::sensor::{BasicCounts, Count, Exposure};
 pub struct Noise {
     /// Electrons that make one count at unit gain, above zero: the shot noise. Infinite for none.
     pub electrons_per_count: f32,
-    /// What the converter adds to each count, rms, in counts, whatever the exposure; without the rounding to whole
-    /// counts, which is known (1/12 of a count squared).
+    /// What the converter adds to each count, rms, in counts, whatever the exposure; without the rounding to
+    /// whole counts, which is known (1/12 of a count squared).
     pub read_counts: f32,
 }
 
 impl Noise {
     /// The variances of one reading: shot noise, read noise and the rounding to whole counts.
     ///
-    /// At gain g a count n came from n / g * `electrons_per_count` electrons and so has the shot variance
-    /// n g / `electrons_per_count`. The counts are raw ones, with their dark level in them: it is noisy too. Below
-    /// zero there is no shot noise; NaN stays NaN.
+    /// At gain g a count n came from n / g * `electrons_per_count` electrons and so has the shot variance n g
+    /// / `electrons_per_count`. The counts are raw ones, with their dark level in them: it is noisy too.
+    /// Below zero there is no shot noise; NaN stays NaN.
     ///
     /// ```
     /// # use nanospectra::sensor::{Exposure, Noise};

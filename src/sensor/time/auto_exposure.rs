@@ -2,7 +2,8 @@
 
 use crate::sensor::{Count, Exposure};
 
-/// A channel that has just saturated would still count this much after the step down: enough to predict from it.
+/// A channel that has just saturated would still count this much after the step down: enough to predict from
+/// it.
 const AFTER_SATURATION: f32 = 64.0;
 
 /// Auto-exposure on a ladder of exposures: advises the most sensitive one whose brightest channel will
@@ -27,8 +28,8 @@ pub struct AutoExposure<'a> {
 pub struct Advice {
     /// The exposure for the next reading: its place in the ladder.
     pub next: usize,
-    /// This reading has a channel at full scale: how much light there is cannot be told, so `next` is a large step
-    /// down. If it is the exposure in use already (0), there is too much light for the ladder.
+    /// This reading has a channel at full scale: how much light there is cannot be told, so `next` is a large
+    /// step down. If it is the exposure in use already (0), there is too much light for the ladder.
     pub saturated: bool,
 }
 
@@ -60,8 +61,9 @@ impl<'a> AutoExposure<'a> {
         if index == 0 { Err(LadderError::Empty) } else { Ok(AutoExposure { ladder, target: 0.8 }) }
     }
 
-    /// The same ladder with another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end), that the
-    /// brightest channel shall stay below. It moves to less only above (1 + target) / 2, so that it does not swing.
+    /// The same ladder with another target: the share of full scale, 0.1..=0.9 (beyond it counts as the end),
+    /// that the brightest channel shall stay below. It moves to less only above (1 + target) / 2, so that it
+    /// does not swing.
     #[must_use]
     pub const fn with_target(self, share: f32) -> Self {
         let target = if share > 0.9 {
@@ -90,9 +92,9 @@ impl<'a> AutoExposure<'a> {
     /// The next place, from the raw counts of a reading at the place `in_use`.
     ///
     /// A light that does not change is found in four readings, wherever it begins, on a ladder like the
-    /// [AS7341's](crate::sensor::chip::as7341::LADDER) (full scales of thousands of counts, steps of up to 8):
-    /// saturated readings step down until 64 counts would be left of a full scale, and what is then counted tells the
-    /// rest. With NaN among the counts it stays.
+    /// [AS7341's](crate::sensor::chip::as7341::LADDER) (full scales of thousands of counts, steps of up to
+    /// 8): saturated readings step down until 64 counts would be left of a full scale, and what is then
+    /// counted tells the rest. With NaN among the counts it stays.
     #[must_use]
     pub fn advise<T: Count, const C: usize>(&self, in_use: usize, counts: &[T; C]) -> Advice {
         let in_use = in_use.min(self.ladder.len().saturating_sub(1));
@@ -113,8 +115,8 @@ impl<'a> AutoExposure<'a> {
             }
             brightest = if count > brightest { count } else { brightest };
         }
-        // A count may be up to one more than it says; the margin is never a smaller share at a finer exposure, so
-        // that what was right from afar stays right.
+        // A count may be up to one more than it says; the margin is never a smaller share at a finer
+        // exposure, so that what was right from afar stays right.
         let margin = brightest / AFTER_SATURATION;
         let bound = brightest + if margin > 1.0 { margin } else { 1.0 };
         let fits = |exposure: &Exposure| {

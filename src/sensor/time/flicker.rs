@@ -1,8 +1,8 @@
 //! Flicker: how much a light flickers, and which times average it out.
 //!
-//! A sum over readings takes them at equal steps and each as the mean of its step, as a chip that integrates all
-//! the time has them. It runs over a whole number of periods of the flicker, counted from the first reading; the
-//! last reading counts in part if that is where the last period ends.
+//! A sum over readings takes them at equal steps and each as the mean of its step, as a chip that integrates
+//! all the time has them. It runs over a whole number of periods of the flicker, counted from the first
+//! reading; the last reading counts in part if that is where the last period ends.
 
 use crate::math::{cos_turns, sin_turns, sqrt};
 use crate::sensor::Exposure;
@@ -13,14 +13,15 @@ pub const MAINS_FLICKER_HZ: [f32; 2] = [100.0, 120.0];
 /// The shortest integration time, in ms, of whole periods of both: 5 of 100 Hz, 6 of 120 Hz.
 pub const MAINS_PERIODS_MS: f32 = 50.0;
 
-/// So many periods are missing at most, as a share, where a whole number of them was meant: rates are not round.
+/// So many periods are missing at most, as a share, where a whole number of them was meant: rates are not
+/// round.
 const SLACK: f32 = 1e-5;
 
 /// The flicker of a light: its mean, percent flicker and flicker index.
 ///
 /// # Reference
-/// CIE International Lighting Vocabulary (amplitude of fluctuation, flicker index; IEC 60050-845, 845-22-094);
-/// ANSI/IES LS-1, 5.9.9.4.
+/// CIE International Lighting Vocabulary (amplitude of fluctuation, flicker index; IEC 60050-845,
+/// 845-22-094); ANSI/IES LS-1, 5.9.9.4.
 ///
 /// ```
 /// # use nanospectra::sensor::Flicker;
@@ -41,12 +42,12 @@ pub struct Flicker {
 }
 
 impl Flicker {
-    /// The flicker of readings (lux, counts) taken `rate_hz` times a second of a light that repeats `frequency_hz`
-    /// times.
+    /// The flicker of readings (lux, counts) taken `rate_hz` times a second of a light that repeats
+    /// `frequency_hz` times.
     ///
-    /// NaN among them makes all three numbers NaN (infinity the last two). `None` where there is no answer: less
-    /// than one period, fewer than two readings in each, no light (a sum not above zero), a rate or frequency not
-    /// above zero.
+    /// NaN among them makes all three numbers NaN (infinity the last two). `None` where there is no answer:
+    /// less than one period, fewer than two readings in each, no light (a sum not above zero), a rate or
+    /// frequency not above zero.
     ///
     /// Each reading averages the light while it integrates: of a sine there is
     /// [`Exposure::residual_modulation`] left.
@@ -80,14 +81,14 @@ impl Flicker {
     }
 }
 
-/// The mean of readings taken `rate_hz` times a second, over as many whole periods of `frequency_hz` as they hold:
-/// what a light that flickers has on average, whichever its phase.
+/// The mean of readings taken `rate_hz` times a second, over as many whole periods of `frequency_hz` as they
+/// hold: what a light that flickers has on average, whichever its phase.
 ///
 /// `None` for less than one period, or a rate or frequency not above zero. NaN stays NaN.
 ///
 /// # Accuracy
-/// A wave that repeats is averaged to what its phase makes of the last, partial reading; nothing is left where a
-/// period is a whole number of readings.
+/// A wave that repeats is averaged to what its phase makes of the last, partial reading; nothing is left
+/// where a period is a whole number of readings.
 #[must_use]
 pub fn mean_over_periods<'a, R>(readings: R, rate_hz: f32, frequency_hz: f32) -> Option<f32>
 where
@@ -97,15 +98,15 @@ where
     Some(Periods::of(readings.clone(), rate_hz, frequency_hz)?.mean(readings))
 }
 
-/// The amplitude (half of crest to trough) of the part of readings that swings with `frequency_hz`, by Goertzel's
-/// recurrence over whole periods; in the readings' unit.
+/// The amplitude (half of crest to trough) of the part of readings that swings with `frequency_hz`, by
+/// Goertzel's recurrence over whole periods; in the readings' unit.
 ///
-/// `None` for less than one period, fewer than two readings in each, or a rate or frequency not above zero. NaN
-/// stays NaN.
+/// `None` for less than one period, fewer than two readings in each, or a rate or frequency not above zero.
+/// NaN stays NaN.
 ///
 /// # Accuracy
-/// 4e-5 of the amplitude for up to 1000 readings with a period of 100 or fewer, each period a whole number of them
-/// (swept in `tests/sensor/measures.rs`). At exactly two readings in a period it depends on the phase.
+/// 4e-5 of the amplitude for up to 1000 readings with a period of 100 or fewer, each period a whole number of
+/// them (swept in `tests/sensor/measures.rs`). At exactly two readings in a period it depends on the phase.
 ///
 /// # Cost
 /// One multiplication for each reading.
@@ -169,8 +170,8 @@ impl Exposure {
     }
 }
 
-/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms` (to rounding), in ms;
-/// `None` if not even one fits.
+/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms` (to rounding), in
+/// ms; `None` if not even one fits.
 #[must_use]
 pub const fn whole_periods_ms(frequency_hz: f32, at_most_ms: f32) -> Option<f32> {
     let periods = whole(at_most_ms * frequency_hz / 1000.0);

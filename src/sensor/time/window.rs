@@ -3,7 +3,8 @@
 // (HistoryBuf says the same in fewer words, but its indexing leaves a panic in the program.)
 use heapless::Deque;
 
-/// The last `CAP` readings of one quantity: lux, a channel, a color temperature. Needs the feature `heapless`.
+/// The last `CAP` readings of one quantity: lux, a channel, a color temperature. Needs the feature
+/// `heapless`.
 ///
 /// ```
 /// # use nanospectra::sensor::{Flicker, Window};
@@ -80,8 +81,8 @@ impl<const CAP: usize> Window<CAP> {
         Some(about + self.iter().map(|reading| reading - about).sum::<f32>() / self.len() as f32)
     }
 
-    /// The median of the readings, which is the mean of the middle two of an even number. `None` without any, NaN if
-    /// there is one.
+    /// The median of the readings, which is the mean of the middle two of an even number. `None` without any,
+    /// NaN if there is one.
     ///
     /// # Cost
     /// `CAP` times `CAP` comparisons; no memory, nothing is sorted.

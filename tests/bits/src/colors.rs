@@ -56,8 +56,8 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("upsample", Hash::of(upsampled));
 }
 
-/// RGB to spectrum: what the compiler made, then random colors one by one and eight at a time, a few of them out
-/// of reach.
+/// RGB to spectrum: what the compiler made, then random colors one by one and eight at a time, a few of them
+/// out of reach.
 fn upsampled(hash: &mut Hash) {
     static VIEWING: Viewing<31> = Viewing::new(&CIE_1931.under(&LAMPS[1]).fold(Curve::Step));
     static SIGMOID: Sigmoid<31> = Sigmoid::new(&VIEWING);

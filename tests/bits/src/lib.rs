@@ -1,7 +1,8 @@
 //! One hash for each group of results, over their raw bits.
 //!
-//! The library promises the same bits on every target, and this package is compiled for all of them: into the firmware
-//! images, the wasm module, and `tests/record.rs` on a host. What each reports is compared with `tests/data/bits.txt`.
+//! The library promises the same bits on every target, and this package is compiled for all of them: into the
+//! firmware images, the wasm module, and `tests/record.rs` on a host. What each reports is compared with
+//! `tests/data/bits.txt`.
 
 #![no_std]
 

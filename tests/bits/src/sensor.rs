@@ -71,7 +71,8 @@ fn reading<T: Count>(
     }
 }
 
-/// The same chips by `Meter` and in integers: random counts, random chromaticities, random spectra of 16 bits.
+/// The same chips by `Meter` and in integers: random counts, random chromaticities, random spectra of 16
+/// bits.
 fn fixed(hash: &mut Hash) {
     const EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
     static TO_XYZ: Calibration<8> = SMOOTH.seen_by(&EYE);
@@ -119,8 +120,8 @@ static CHIP: Observer<8, 31, Power, TenNm> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, TenNm> = CIE_1931.fold(Curve::Step);
 static SMOOTH: Reconstruction<8, 31, TenNm> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01));
 
-/// Spectra behind counts: the matrix that was made while compiling, what it says, and the search without negative
-/// powers.
+/// Spectra behind counts: the matrix that was made while compiling, what it says, and the search without
+/// negative powers.
 fn reconstructions(hash: &mut Hash) {
     let mut random = Random(0x5eed_5bec);
     SMOOTH.rows().iter().chain(SMOOTH.seen_by(&EYE).rows()).for_each(|row| hash.all(row));

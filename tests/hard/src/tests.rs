@@ -1,5 +1,5 @@
-//! The hard-case table: every row is in it, holds what it claims on this machine and on a Cortex-M4F, is guarded by
-//! a test that exists, and is the one on record.
+//! The hard-case table: every row is in it, holds what it claims on this machine and on a Cortex-M4F, is
+//! guarded by a test that exists, and is the one on record.
 //!
 //! `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard` records it; what a Cortex-M4F says is recorded by
 //! `tests/devices.sh --bless`.

@@ -18,7 +18,8 @@ pub struct Check {
     hold: Option<Hold>,
 }
 
-/// Judges what a check has measured: its name, and the largest error in both its parts, absolute and relative.
+/// Judges what a check has measured: its name, and the largest error in both its parts, absolute and
+/// relative.
 pub type Hold = fn(&'static str, [f64; 2]);
 
 impl Check {

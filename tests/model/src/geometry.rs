@@ -1,4 +1,5 @@
-//! Solid angles and form factors in f64: textbook formulas where f64 has digits to spare, integrals elsewhere.
+//! Solid angles and form factors in f64: textbook formulas where f64 has digits to spare, integrals
+//! elsewhere.
 
 use std::f64::consts::PI;
 
@@ -139,8 +140,8 @@ pub fn to_sphere(nodes: &[(f64, f64)], radius: f64, distance: f64, cos: f64) -> 
         let half_width = ((cos_size - z * cos) / ((1.0 - z * z).sqrt() * sin)).clamp(-1.0, 1.0).acos();
         2.0 * half_width * z
     };
-    // The highest point of the outline. Below it the width changes like a root: equal steps of an angle. Above it,
-    // if the zenith is covered, slices are whole circles.
+    // The highest point of the outline. Below it the width changes like a root: equal steps of an angle.
+    // Above it, if the zenith is covered, slices are whole circles.
     let top = (zenith - size).cos();
     let cap = if zenith < size { PI * (1.0 - top * top) } else { 0.0 };
     (cap + integral(nodes, 0.0, PI / 2.0, |t| slice(top * t.sin()) * top * t.cos())) / PI

@@ -43,7 +43,8 @@ pub fn ggx_f(alpha: f64, wo: Vector, wi: Vector) -> f64 {
     ggx_d(alpha, wm) * g2(alpha, wo, wi) / (4.0 * wo[2] * wi[2])
 }
 
-/// Hemispherical-directional reflectance of perfect reflectors: midpoints over all normals, as D distributes them.
+/// Hemispherical-directional reflectance of perfect reflectors: midpoints over all normals, as D distributes
+/// them.
 pub fn ggx_rho(alpha: f64, cos_theta: f64, steps: usize) -> f64 {
     let wo = tilted(cos_theta);
     let n = steps as f64;

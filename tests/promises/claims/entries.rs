@@ -65,8 +65,8 @@ fn place(number: &str) -> (&str, Option<usize>) {
 }
 
 impl Entry {
-    /// Each number of each row, and which number of the section it is. A number that may be written anew has to be told from
-    /// others that read the same.
+    /// Each number of each row, and which number of the section it is. A number that may be written anew has
+    /// to be told from others that read the same.
     pub fn places<'a>(&'a self, section: &Section) -> Result<Vec<(&'a Row, usize, usize)>, String> {
         let mut places: Vec<(&Row, usize, usize)> = Vec::new();
         let all = || self.rows.iter().flat_map(|row| (0..row.numbers.len()).map(move |k| (row, k)));

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-/// Where the numbers of a text are: `0.009`, `2e-7`, `2^-24`, `14 000`, `14,000`. Digits in a word (`f32`, `FL11`,
-/// `x86-64`, `3D`) and powers of a letter (`N^3`) are none.
+/// Where the numbers of a text are: `0.009`, `2e-7`, `2^-24`, `14 000`, `14,000`. Digits in a word (`f32`,
+/// `FL11`, `x86-64`, `3D`) and powers of a letter (`N^3`) are none.
 pub fn numbers(text: &str) -> Vec<Range<usize>> {
     let bytes = text.as_bytes();
     let at = |k: usize| bytes.get(k).copied().unwrap_or(b' ');

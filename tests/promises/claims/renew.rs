@@ -8,8 +8,8 @@ use super::held::{Records, renewed};
 use super::numbers::{plain, value};
 use super::sections::{Texts, sections};
 
-/// Renews the texts and the table, and says what was changed, a line for each number. What it cannot renew is left to the
-/// tests to find.
+/// Renews the texts and the table, and says what was changed, a line for each number. What it cannot renew is
+/// left to the tests to find.
 pub fn renew(texts: &mut Texts, table: &mut String, records: &Records) -> Vec<String> {
     let sections = sections(texts);
     let mut lines: Vec<String> = table.lines().map(str::to_string).collect();

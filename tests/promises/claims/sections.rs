@@ -51,9 +51,9 @@ fn add_sources(folder: &Path, texts: &mut Texts) {
     }
 }
 
-/// Every section by its title: `color/cct.rs cct Accuracy`, with `Summary` for what precedes the first heading and `module`
-/// for an item where a file is documented; `README.md What accuracy costs`; `Cargo.toml description`. Those that share a
-/// title are one.
+/// Every section by its title: `color/cct.rs cct Accuracy`, with `Summary` for what precedes the first
+/// heading and `module` for an item where a file is documented; `README.md What accuracy costs`;
+/// `Cargo.toml description`. Those that share a title are one.
 pub fn sections(texts: &Texts) -> BTreeMap<String, Section> {
     let mut found: BTreeMap<String, Section> = BTreeMap::new();
     for (file, text) in texts {

@@ -1,4 +1,5 @@
-//! Sums of every rest, number of rows and length of batch, in the order that is promised: eight lanes and their tree.
+//! Sums of every rest, number of rows and length of batch, in the order that is promised: eight lanes and
+//! their tree.
 
 use nanospectra::{Bins, Light, Observer, Power};
 

@@ -1,5 +1,6 @@
-//! The basis: of all triples of spectra on 380, 385, .. 780 nm that sum to 1, stay above 0.012, and have the colors
-//! of the sRGB primaries under D65, the one whose neighboring values differ least (in squares, over the three).
+//! The basis: of all triples of spectra on 380, 385, .. 780 nm that sum to 1, stay above 0.012, and have the
+//! colors of the sRGB primaries under D65, the one whose neighboring values differ least (in squares, over
+//! the three).
 //!
 //! An interior point method: the barrier keeps off the bounds and is lowered until it does not matter.
 

@@ -15,8 +15,8 @@ pub fn d65() -> Vec<f64> {
     function("illuminants/D65_1nm.csv", "D65")
 }
 
-/// The eye under D65 on 380, 385, .. 780 nm, scaled to Y = 1 for white: each nanometer counts in the bin it lies
-/// in, what is outside in the end bins.
+/// The eye under D65 on 380, 385, .. 780 nm, scaled to Y = 1 for white: each nanometer counts in the bin it
+/// lies in, what is outside in the end bins.
 pub fn eye() -> [Vec<f64>; 3] {
     let light = d65();
     let functions = functions();

@@ -1,8 +1,8 @@
 //! Narrow responses: of all mixtures of the color-matching functions that are nowhere negative, the ones with
 //! the least spread about 610, 540 and 450 nm.
 //!
-//! Scaled to 1 for a white surface under D65, two numbers of a mixture are free, the spread is linear in them, and
-//! each wavelength allows a half plane: the least is at a corner, and all corners are tried.
+//! Scaled to 1 for a white surface under D65, two numbers of a mixture are free, the spread is linear in
+//! them, and each wavelength allows a half plane: the least is at a corner, and all corners are tried.
 
 use super::{d65, functions};
 use model::linear::Matrix3;

@@ -1,5 +1,5 @@
-//! Start maps: the odd polynomials that lead from u, what is asked, to q, the curve that has it, with the least
-//! that is then still missing in u, over the 17^3 cube of encoded sRGB under D65.
+//! Start maps: the odd polynomials that lead from u, what is asked, to q, the curve that has it, with the
+//! least that is then still missing in u, over the 17^3 cube of encoded sRGB under D65.
 
 use super::{eye, white};
 use model::linear::{self, Matrix3, apply, inverse, product};
@@ -113,8 +113,8 @@ fn solve(weights: &[[f64; 3]], u: [f64; 3]) -> ([f64; 3], Matrix3) {
     (q, slope)
 }
 
-/// x^2, x and 1 for each monomial, in the order of `monomials`; weighted least squares, twelve times, each time
-/// with more weight on what was missed by more.
+/// x^2, x and 1 for each monomial, in the order of `monomials`; weighted least squares, twelve times, each
+/// time with more weight on what was missed by more.
 pub fn fit(solved: &[Solved], degree: u32) -> Vec<[f64; 3]> {
     let monomials = monomials(degree);
     let count = monomials.len();

@@ -57,8 +57,8 @@ impl Lane {
         self.skipped.push(what.into());
     }
 
-    /// Runs another lane beside this one, since most steps leave a core idle now and then. The other writes to a file
-    /// in `target`, which is printed when both are through.
+    /// Runs another lane beside this one, since most steps leave a core idle now and then. The other writes
+    /// to a file in `target`, which is printed when both are through.
     pub fn beside(&mut self, other: impl FnOnce(&mut Lane) + Send, this: impl FnOnce(&mut Lane)) -> Outcome {
         fs::create_dir_all(root().join("target")).map_err(|error| format!("target: {error}"))?;
         let path = root().join("target/xtask-beside.log");

@@ -1,4 +1,5 @@
-//! The task runner: `cargo xtask check` while you work, `full` before a change is merged, `bless` to renew records.
+//! The task runner: `cargo xtask check` while you work, `full` before a change is merged, `bless` to renew
+//! records.
 
 mod bless;
 mod check;
@@ -15,8 +16,8 @@ use std::process::ExitCode;
 
 /// Checks nanospectra, proves everything it promises, and renews its records.
 ///
-/// Every task names one package at a time. Packages that are built together share their features, and the tests of one
-/// would then see the features that another asks for.
+/// Every task names one package at a time. Packages that are built together share their features, and the
+/// tests of one would then see the features that another asks for.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 enum Task {
@@ -36,16 +37,16 @@ enum Task {
     },
     /// Prove everything that is promised: what CI runs, in about half an hour on two cores
     ///
-    /// It installs what it needs: compilers and targets by rustup; valgrind, QEMU and Chromium by apt-get (with sudo,
-    /// unless it runs as root). What cannot be installed is listed at the end as SKIPPED. All steps run even if one
-    /// fails, and then the exit code is 1.
+    /// It installs what it needs: compilers and targets by rustup; valgrind, QEMU and Chromium by apt-get
+    /// (with sudo, unless it runs as root). What cannot be installed is listed at the end as SKIPPED. All
+    /// steps run even if one fails, and then the exit code is 1.
     Full(Steps),
     /// Renew every record and every figure that is derived from one, then show what has changed
     ///
-    /// The records are the bits, instructions and bytes of devices, the largest errors of the tests, the hard cases,
-    /// the cost study and the sizes of the web package; figures in the README and in documentation follow them. The
-    /// tables of tables/upsample are not records but a part of the library. To make them again, run
-    /// `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables`.
+    /// The records are the bits, instructions and bytes of devices, the largest errors of the tests, the hard
+    /// cases, the cost study and the sizes of the web package; figures in the README and in documentation
+    /// follow them. The tables of tables/upsample are not records but a part of the library. To make them
+    /// again, run `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables`.
     Bless(Steps),
 }
 

@@ -51,7 +51,8 @@ pub fn install_all(lane: &mut Lane) -> Outcome<Vec<&'static str>> {
     Ok(here)
 }
 
-/// Whether a compiler answers, once rustup has installed it if it did not. If not, the log says what that means.
+/// Whether a compiler answers, once rustup has installed it if it did not. If not, the log says what that
+/// means.
 pub fn has(shell: &Shell, probe: &str, arguments: &str, without: &str) -> bool {
     let install = format!("rustup toolchain install {arguments} --profile minimal");
     let found = shell.succeeds(probe) || shell.run(&install).is_ok();

@@ -7,7 +7,8 @@ use std::{fs, str};
 
 const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
-/// What messages call the file, and its text, which is UTF-8 with or without a byte order mark; `-` is standard input.
+/// What messages call the file, and its text, which is UTF-8 with or without a byte order mark; `-` is
+/// standard input.
 pub fn read(path: &Path) -> Result<(String, String), Failure> {
     let stdin = path.as_os_str() == "-";
     let file = if stdin { "stdin".into() } else { path.to_string_lossy().into_owned() };

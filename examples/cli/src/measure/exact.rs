@@ -1,8 +1,8 @@
 //! Reading between samples whose wavelengths f32 cannot hold.
 //!
 //! The crate takes wavelengths in f32, which are exact for whole, half and quarter nanometers. A pixel at
-//! 546.0761 nm is rounded by up to 3e-5 nm there, and beside a narrow line that is 3e-5 of XYZ; so a file with
-//! such wavelengths is read in f64, by the same two rules.
+//! 546.0761 nm is rounded by up to 3e-5 nm there, and beside a narrow line that is 3e-5 of XYZ; so a file
+//! with such wavelengths is read in f64, by the same two rules.
 
 use nanospectra::Interpolation;
 

@@ -1,7 +1,7 @@
 //! From measured spectra to every number that matters about them.
 //!
-//! A file becomes a [`table`](crate::input::table), its columns [`source`]s, each of them a [`reading`], and that a
-//! report: [`text`], [`json`] or a [`picture`].
+//! A file becomes a [`table`](crate::input::table), its columns [`source`]s, each of them a [`reading`], and
+//! that a report: [`text`], [`json`] or a [`picture`].
 
 mod args;
 mod exact;

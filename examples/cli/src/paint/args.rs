@@ -58,7 +58,8 @@ pub struct Args {
     #[arg(long, value_enum)]
     beyond: Option<Beyond>,
 
-    /// CIE illuminants to look under besides the white of the space, with commas: A,FL11,LED-B3,FL3.1; each once
+    /// CIE illuminants to look under besides the white of the space, with commas: A,FL11,LED-B3,FL3.1; each
+    /// once
     #[arg(long, value_name = "NAME", value_delimiter = ',', default_values = ["A", "FL11"])]
     pub light: Vec<String>,
 

@@ -1,7 +1,7 @@
 //! RGB to spectrum, looked at again.
 //!
-//! A word or a line becomes a color ([`input`]), that an [`answer`] on one of the [`grids`], and that a report:
-//! [`text`], [`json`] or a [`picture`].
+//! A word or a line becomes a color ([`input`]), that an [`answer`] on one of the [`grids`], and that a
+//! report: [`text`], [`json`] or a [`picture`].
 
 mod answer;
 mod args;

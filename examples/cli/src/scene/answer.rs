@@ -62,7 +62,8 @@ pub struct Absolute {
 pub struct Sensor {
     pub name: String,
     pub peaks_nm: Vec<f32>,
-    /// Irradiance weighted by the channel's responsivity, which is 1 at its peak; in W/m2 if the lamp has a level.
+    /// Irradiance weighted by the channel's responsivity, which is 1 at its peak; in W/m2 if the lamp has a
+    /// level.
     pub channels: Vec<f32>,
     /// The same over that of the bare lamp; none where that is dark.
     pub of_lamp: Vec<Option<f32>>,

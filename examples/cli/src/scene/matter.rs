@@ -48,7 +48,8 @@ impl<const N: usize, G: Grid> Matter<N, G> {
         }
     }
 
-    /// Of a plain factor, what a scene has in its place without it. (Other parts have an effect to leave out.)
+    /// Of a plain factor, what a scene has in its place without it. (Other parts have an effect to leave
+    /// out.)
     pub fn replacement(&self) -> Option<Part<'_, N, G>> {
         match &self.what {
             What::Plain { without, .. } if self.is_matt => Some(Part::Surface(without)),
@@ -127,8 +128,8 @@ impl<const N: usize, G: Grid> Matter<N, G> {
     }
 }
 
-/// Refuses a film that is met at an angle beside something that tells directions of polarization apart: the film would,
-/// and is a plain factor here. What scatters lies between them or not.
+/// Refuses a film that is met at an angle beside something that tells directions of polarization apart: the
+/// film would, and is a plain factor here. What scatters lies between them or not.
 pub fn check_films<const N: usize, G: Grid>(recipe: &Recipe, parts: &[Matter<N, G>]) -> Result<(), Failure> {
     let written = &recipe.scene.part;
     let is_oblique =

@@ -1,7 +1,7 @@
 //! A lamp, what its light meets, and what an eye or a chip makes of it.
 //!
-//! A text ([`mod@file`]: TOML, [`bundled`] or the user's) becomes [`matter`] on one of the [`grids`], that a scene and an
-//! [`answer`], and that a report: [`text`], [`json`] or a [`picture`].
+//! A text ([`mod@file`]: TOML, [`bundled`] or the user's) becomes [`matter`] on one of the [`grids`], that a
+//! scene and an [`answer`], and that a report: [`text`], [`json`] or a [`picture`].
 
 pub mod answer;
 mod args;

@@ -1,7 +1,7 @@
 //! From a log of a color sensor's counts to every number that can be had from them.
 //!
-//! A file becomes [`cells`], these the entries of a [`log`], each of them a [`measure`]d reading by an [`instrument`], and
-//! that [`text`] or [`json`]. Without a log it reads one that was [`simulate`]d.
+//! A file becomes [`cells`], these the entries of a [`log`], each of them a [`measure`]d reading by an
+//! [`instrument`], and that [`text`] or [`json`]. Without a log it reads one that was [`simulate`]d.
 
 mod advice;
 mod args;

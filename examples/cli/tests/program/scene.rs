@@ -196,8 +196,9 @@ fn a_metal_turns_polarized_light_as_its_phase_says() {
         let answer = SCENE.written("gold", &parts("{ n = 0.4, k = 2.4, angle_deg = 70 }", deg));
         assert_near(&answer["luminous_factor_percent"], 100.0 * expected, 2e-5);
     }
-    // Total reflection: r_p / r_s has the phase -2 phi, tan(phi) = cos sqrt(sin^2 - n^2) / sin^2; beyond Brewster's
-    // angle p comes back on the other side, so it is the sheet across that lets most of it through.
+    // Total reflection: r_p / r_s has the phase -2 phi, tan(phi) = cos sqrt(sin^2 - n^2) / sin^2; beyond
+    // Brewster's angle p comes back on the other side, so it is the sheet across that lets most of it
+    // through.
     let (sine2, cosine) = (60f64.to_radians().sin().powi(2), 60f64.to_radians().cos());
     let phi = (cosine * (sine2 - 0.66f64 * 0.66).sqrt() / sine2).atan();
     let answer = SCENE.written("total", &parts("{ n = 0.66, angle_deg = 60 }", -45.0));

@@ -5,7 +5,8 @@ use std::process::Stdio;
 
 const SCENE: Program = Program("scene", module_path!());
 
-/// A scene, the line to blame, and a word of the message. Every scene begins with a title and a lamp on lines 1 to 3.
+/// A scene, the line to blame, and a word of the message. Every scene begins with a title and a lamp on lines
+/// 1 to 3.
 const BAD: &[(&str, usize, &str)] = &[
     ("", 1, "missing field `part`"),
     ("[[part]]\n", 4, "one of filter, surface"),

@@ -38,8 +38,8 @@ fn log_of(lights: &[(String, Fine<Power>)]) -> String {
     log
 }
 
-/// How near nominal Gaussians, which the simulated chip has, and the smoothest spectrum bring a lamp: no more can be
-/// had without calibration. Tolerances: xy, share of the color temperature, Duv, share of Y.
+/// How near nominal Gaussians, which the simulated chip has, and the smoothest spectrum bring a lamp: no more
+/// can be had without calibration. Tolerances: xy, share of the color temperature, Duv, share of Y.
 const NEAR: [(&str, [f64; 4]); 6] = [
     ("A", [0.002, 0.006, 0.001, 0.01]),
     ("D65", [0.002, 0.012, 0.001, 0.01]),

@@ -65,7 +65,8 @@ impl Rooms {
             row.push(more);
             rows.push(row);
         };
-        // Brewster's angle for n = 1.5; the second mirror as the first, and turned by a quarter about the ray.
+        // Brewster's angle for n = 1.5; the second mirror as the first, and turned by a quarter about the
+        // ray.
         let cos = 1.0 / 3.25_f32.sqrt();
         for (case, turns) in [("two panes in parallel, 56 degrees", 0.0), ("two panes, crossed", 0.25)] {
             let [first, second] = [0.0, turns].map(|axis| Mirror::dielectric(&[1.5; N], cos, axis));

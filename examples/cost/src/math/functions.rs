@@ -99,7 +99,8 @@ fn of<M: Math>(backend: &'static str, runs: usize) -> Vec<Vec<Cell>> {
     all
 }
 
-/// The largest error and the largest in units of the last place; `None` if there is no number where there should be.
+/// The largest error and the largest in units of the last place; `None` if there is no number where there
+/// should be.
 fn worst(
     inputs: impl Iterator<Item = f32>,
     f: impl Fn(f32) -> f32,

@@ -15,7 +15,8 @@ struct Table {
     name: &'static str,
     /// The column of each cell, from 0.
     cells: &'static [(usize, Cell)],
-    /// The label in the first column; the counts of the row, their unit, and how many of what is shown they are for.
+    /// The label in the first column; the counts of the row, their unit, and how many of what is shown they
+    /// are for.
     rows: &'static [(&'static str, &'static [&'static str], &'static str, u32)],
 }
 

@@ -1,7 +1,7 @@
 //! The tables of README.md that are made from what is on record.
 //!
-//! They stand between `<!-- cost: NAME -->` and `<!-- end -->`. [`made`] makes one whole from the report; of those
-//! in [`counted`] the words are the README's and the counts are put in.
+//! They stand between `<!-- cost: NAME -->` and `<!-- end -->`. [`made`] makes one whole from the report; of
+//! those in [`counted`] the words are the README's and the counts are put in.
 
 mod counted;
 mod made;

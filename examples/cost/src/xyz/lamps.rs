@@ -59,8 +59,8 @@ const TABLES: [(Class, &str); 5] = [
 /// Kelvin.
 const BLACK_BODIES: [f64; 5] = [2000.0, 2700.0, 4000.0, 6500.0, 10_000.0];
 
-/// Lines as (nm, relative power): a mercury lamp, the sodium doublet, three sets of lasers as they are sold, and the
-/// phosphors of europium and terbium beside mercury. Powers are typical, not measured.
+/// Lines as (nm, relative power): a mercury lamp, the sodium doublet, three sets of lasers as they are sold,
+/// and the phosphors of europium and terbium beside mercury. Powers are typical, not measured.
 const LINES: [(&str, &[(f64, f64)]); 6] = [
     ("mercury lamp", &MERCURY),
     ("sodium doublet", &[(588.995, 2.0), (589.592, 1.0)]),

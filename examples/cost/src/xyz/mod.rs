@@ -1,8 +1,8 @@
 //! XYZ of a reflectance under a light: what a scheme and a number of bands are off by, and what they cost.
 //!
 //! [`lamps`] and [`world`] are what is looked at and the truth about it, [`see`] the crate at work by each
-//! [`scheme`], [`score`] the errors and [`price`] the cost. Of them [`sweep`] makes the tables, [`frontier`] what
-//! no other choice beats, and [`losses`] where more is worse.
+//! [`scheme`], [`score`] the errors and [`price`] the cost. Of them [`sweep`] makes the tables, [`frontier`]
+//! what no other choice beats, and [`losses`] where more is worse.
 
 mod frontier;
 pub mod lamps;

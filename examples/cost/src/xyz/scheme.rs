@@ -55,7 +55,8 @@ impl Scheme {
         matches!(self, Scheme::Folded(_))
     }
 
-    /// The count on record of its XYZ of a surface: light times surface only where the light is not folded in.
+    /// The count on record of its XYZ of a surface: light times surface only where the light is not folded
+    /// in.
     pub fn counted_as(self, bands: usize) -> String {
         match self {
             Scheme::Rgb => "rgb-product".to_owned(),
@@ -64,8 +65,8 @@ impl Scheme {
         }
     }
 
-    /// Bytes of constants: the observer's three rows, and the light unless it is folded into them; of sRGB the matrix and
-    /// the light.
+    /// Bytes of constants: the observer's three rows, and the light unless it is folded into them; of sRGB
+    /// the matrix and the light.
     pub fn bytes(self, bands: usize) -> usize {
         let numbers = match self {
             Scheme::Rgb => 3 * 3 + 3,

@@ -1,5 +1,5 @@
-//! Lamps and surfaces with the truth about them: f64 sums every 0.1 nm from 360 to 830 nm of the straight lines
-//! that join the data.
+//! Lamps and surfaces with the truth about them: f64 sums every 0.1 nm from 360 to 830 nm of the straight
+//! lines that join the data.
 
 use super::lamps::{self, Class};
 use model::fine::{Curve, FineEye, values};

@@ -1,5 +1,5 @@
-//! Reads the defmt frames of an image from the standard input and prints them as text. The words are not in the
-//! frames but in the image itself: `nanospectra-decode <elf>`. `run.sh` calls it.
+//! Reads the defmt frames of an image from the standard input and prints them as text. The words are not in
+//! the frames but in the image itself: `nanospectra-decode <elf>`. `run.sh` calls it.
 
 use defmt_decoder::{DecodeError, Table};
 use std::error::Error;

@@ -1,7 +1,8 @@
 //! Prints the instructions that each function of each math backend takes, and what is made of one, one
 //! `math-function-backend count` per line.
 //!
-//! An image of its own beside `count`: `Libm` runs in soft f64, and that one must have none. Counted as there.
+//! An image of its own beside `count`: `Libm` runs in soft f64, and that one must have none. Counted as
+//! there.
 #![no_std]
 #![no_main]
 

@@ -1,7 +1,7 @@
 //! 8 counts of a chip to XYZ, CCT, Duv and Lab, saturation checked, and nothing else.
 //!
-//! `tests/devices.sh` looks into this image as it does into `fold16`: no tables but 3 * 8 weights and the locus, no
-//! `core::fmt`, no soft f64, no allocator. That it cannot panic is proved here, by linking.
+//! `tests/devices.sh` looks into this image as it does into `fold16`: no tables but 3 * 8 weights and the
+//! locus, no `core::fmt`, no soft f64, no allocator. That it cannot panic is proved here, by linking.
 #![no_std]
 #![no_main]
 
@@ -21,7 +21,8 @@ fn main() -> ! {
     }
 }
 
-/// As an instrument calls it: apart from this loop, which would keep its constants in registers between readings.
+/// As an instrument calls it: apart from this loop, which would keep its constants in registers between
+/// readings.
 #[inline(never)]
 fn reading(counts: &[u16; 8]) -> Result<Color, ReadingError> {
     measure(counts)

@@ -1,7 +1,7 @@
 //! 8 counts of a chip to XYZ, lux, CCT and Duv in integers, saturation checked, and nothing else.
 //!
-//! `tests/devices.sh` looks into this image as it does into `fold16`: no tables but 3 * 8 weights and the locus, no
-//! `core::fmt`, no soft f64, no allocator. That it cannot panic is proved here, by linking.
+//! `tests/devices.sh` looks into this image as it does into `fold16`: no tables but 3 * 8 weights and the
+//! locus, no `core::fmt`, no soft f64, no allocator. That it cannot panic is proved here, by linking.
 #![no_std]
 #![no_main]
 

@@ -1,7 +1,7 @@
 //! A published driver on a bus: bytes to counts by the crate `as7341`, counts to color by this one.
 //!
-//! The bus is a mock with an AS7341 on it that stands under an LED; on a board, your HAL's I2C and delay take its
-//! place. Runs on a host (`cargo run --bin driver`) and on boards (`--target <triple>`).
+//! The bus is a mock with an AS7341 on it that stands under an LED; on a board, your HAL's I2C and delay take
+//! its place. Runs on a host (`cargo run --bin driver`) and on boards (`--target <triple>`).
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use as7341::{As7341, Gain};

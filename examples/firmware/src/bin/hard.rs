@@ -1,5 +1,6 @@
-//! Prints the bits of every hard case, of the naive form and of the crate's: `row input naive ours`. Where there is
-//! an FPU all of it follows again, after a line `flush-to-zero`, as it is where subnormal numbers count as zero.
+//! Prints the bits of every hard case, of the naive form and of the crate's: `row input naive ours`. Where
+//! there is an FPU all of it follows again, after a line `flush-to-zero`, as it is where subnormal numbers
+//! count as zero.
 #![no_std]
 #![no_main]
 

@@ -1,7 +1,7 @@
 //! Every run-time step of the crate in one image that does not link if one of them can panic.
 //!
-//! `tests/devices.sh` links it for the Cortex-M4F at both optimization levels and looks for soft f64 in it. (It
-//! is not run: `bits` computes the results.)
+//! `tests/devices.sh` links it for the Cortex-M4F at both optimization levels and looks for soft f64 in it.
+//! (It is not run: `bits` computes the results.)
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,6 @@
-//! Every run-time step of a sensor in one image that does not link if one of them can panic: what `no_panic` is for
-//! the rest of the crate. `tests/devices.sh` links it for every core and looks for soft f64 and more in it.
+//! Every run-time step of a sensor in one image that does not link if one of them can panic: what `no_panic`
+//! is for the rest of the crate. `tests/devices.sh` links it for every core and looks for soft f64 and more
+//! in it.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,6 @@
-//! Prints the instructions that paths take from light to XYZ at 31 bands, one `name count` per line: a chain of
-//! factors beside the loop that a hand would write, a dye, a Donaldson matrix, two mirrors. All parts come from memory.
+//! Prints the instructions that paths take from light to XYZ at 31 bands, one `name count` per line: a chain
+//! of factors beside the loop that a hand would write, a dye, a Donaldson matrix, two mirrors. All parts come
+//! from memory.
 #![no_std]
 #![no_main]
 

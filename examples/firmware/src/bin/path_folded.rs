@@ -1,6 +1,6 @@
-//! Prints the instructions of a static scene with a fluorescent vest in it, folded into the eye: what a filter in
-//! the light of the lamp does to the vest's color. An image of its own, as `price_whole`: nothing else here shares
-//! the sum.
+//! Prints the instructions of a static scene with a fluorescent vest in it, folded into the eye: what a
+//! filter in the light of the lamp does to the vest's color. An image of its own, as `price_whole`: nothing
+//! else here shares the sum.
 #![no_std]
 #![no_main]
 

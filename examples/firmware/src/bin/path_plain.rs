@@ -1,5 +1,5 @@
-//! A lamp, a glass and a surface to XYZ, and no effect beyond: `tests/devices.sh` looks that nothing of fluorescence or
-//! polarization is in this image. That it cannot panic is proved here, by linking.
+//! A lamp, a glass and a surface to XYZ, and no effect beyond: `tests/devices.sh` looks that nothing of
+//! fluorescence or polarization is in this image. That it cannot panic is proved here, by linking.
 #![no_std]
 #![no_main]
 

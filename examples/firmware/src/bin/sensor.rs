@@ -1,6 +1,7 @@
 //! An instrument: readings of a chip to color, a window over the last ones, and a log.
 //!
-//! `cargo run --release --target <triple> --bin sensor` boots it in QEMU and prints the log as text (see `run.sh`).
+//! `cargo run --release --target <triple> --bin sensor` boots it in QEMU and prints the log as text (see
+//! `run.sh`).
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(not(target_os = "none"))]

@@ -1,5 +1,6 @@
-//! Prints the instructions that N bands of light take over a surface to XYZ, one `name count` per line: nothing folded, for
-//! a light that changes from call to call. (In `path_count`, 31 bands share the eye's loop with other paths.)
+//! Prints the instructions that N bands of light take over a surface to XYZ, one `name count` per line:
+//! nothing folded, for a light that changes from call to call. (In `path_count`, 31 bands share the eye's
+//! loop with other paths.)
 #![no_std]
 #![no_main]
 

@@ -1,6 +1,6 @@
-//! Prints the instructions that an RGB takes to its reflectance on 31 bands: the mean and the most over 729 colors
-//! of the sRGB cube, for each start map; what reading 31 bands of the result takes; and the linear methods, which give
-//! the 31 bands at once.
+//! Prints the instructions that an RGB takes to its reflectance on 31 bands: the mean and the most over 729
+//! colors of the sRGB cube, for each start map; what reading 31 bands of the result takes; and the linear
+//! methods, which give the 31 bands at once.
 #![no_std]
 #![no_main]
 

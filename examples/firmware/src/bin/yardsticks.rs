@@ -1,5 +1,5 @@
-//! Prints the instructions that the methods of others take (`nanospectra_hard::yardstick`), one `name count` per line,
-//! counted as in `count`.
+//! Prints the instructions that the methods of others take (`nanospectra_hard::yardstick`), one `name count`
+//! per line, counted as in `count`.
 #![no_std]
 #![no_main]
 

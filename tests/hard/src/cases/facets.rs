@@ -1,4 +1,5 @@
-//! Rows 21 to 24, 52 and 53: microfacets of a mirror's smoothness, grazing light, integrals over the hemisphere.
+//! Rows 21 to 24, 52 and 53: microfacets of a mirror's smoothness, grazing light, integrals over the
+//! hemisphere.
 
 use super::Cases;
 use core::f32::consts::{PI, TAU};

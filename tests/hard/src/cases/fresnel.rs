@@ -1,4 +1,5 @@
-//! Rows 14 to 20: Fresnel's equations for media that hardly differ, beyond the critical angle, and for metals.
+//! Rows 14 to 20: Fresnel's equations for media that hardly differ, beyond the critical angle, and for
+//! metals.
 
 use super::Cases;
 use nanospectra::math::sqrt;

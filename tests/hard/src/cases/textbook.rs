@@ -1,5 +1,5 @@
-//! The elementary functions of the naive forms, in radians as the textbook writes them: `libm`'s, so that what
-//! fails is the form and not the function.
+//! The elementary functions of the naive forms, in radians as the textbook writes them: `libm`'s, so that
+//! what fails is the form and not the function.
 
 use core::f32::consts::TAU;
 use nanospectra::math::{Libm, Math, sqrt};

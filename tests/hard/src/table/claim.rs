@@ -1,4 +1,5 @@
-//! What the table says of a row before it is computed: `claims.csv`, and `rules.csv` for behavior rather than rounding.
+//! What the table says of a row before it is computed: `claims.csv`, and `rules.csv` for behavior rather than
+//! rounding.
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;

@@ -1,8 +1,8 @@
-//! The hard-case table: what fails in f32 if it is written naively, what the crate is off by at the same inputs, on
-//! this machine and on a Cortex-M4F, what it may be off by, and the test that guards it.
+//! The hard-case table: what fails in f32 if it is written naively, what the crate is off by at the same
+//! inputs, on this machine and on a Cortex-M4F, what it may be off by, and the test that guards it.
 //!
-//! The forms and inputs are those of [`nanospectra_hard::cases`], which a device runs too; [`device`] has what it
-//! said. [`claim`] has what each row claims, and what is right is computed by its [`judge`], in f64.
+//! The forms and inputs are those of [`nanospectra_hard::cases`], which a device runs too; [`device`] has
+//! what it said. [`claim`] has what each row claims, and what is right is computed by its [`judge`], in f64.
 
 mod claim;
 mod colors;

@@ -5,8 +5,8 @@ use nanospectra::math::sqrt;
 /// McCamy's approximation: K from x and y, made for lights near the locus between 2856 and 6504 K. No Duv.
 ///
 /// # Reference
-/// C. S. McCamy, "Correlated color temperature as an explicit function of chromaticity coordinates", Color Research
-/// and Application 17 (1992).
+/// C. S. McCamy, "Correlated color temperature as an explicit function of chromaticity coordinates", Color
+/// Research and Application 17 (1992).
 #[must_use]
 pub fn mccamy([x, y]: [f32; 2]) -> f32 {
     let n = (x - 0.3320) / (y - 0.1858);
@@ -16,9 +16,9 @@ pub fn mccamy([x, y]: [f32; 2]) -> f32 {
 /// Robertson's isotherms: reciprocal megakelvin, u and v (CIE 1960) of the locus, slope of the isotherm.
 ///
 /// # Reference
-/// A. R. Robertson, "Computation of correlated color temperature and distribution temperature", J. Opt. Soc. Am. 58
-/// (1968); the table as in G. Wyszecki, W. S. Stiles, "Color Science", 2nd edition, table 1(3.11), with u of 325
-/// mired corrected from 0.24702.
+/// A. R. Robertson, "Computation of correlated color temperature and distribution temperature", J. Opt. Soc.
+/// Am. 58 (1968); the table as in G. Wyszecki, W. S. Stiles, "Color Science", 2nd edition, table 1(3.11),
+/// with u of 325 mired corrected from 0.24702.
 pub static ISOTHERMS: [[f32; 4]; 31] = [
     [0.0, 0.18006, 0.26352, -0.24341],
     [10.0, 0.18066, 0.26589, -0.25479],
@@ -55,8 +55,8 @@ pub static ISOTHERMS: [[f32; 4]; 31] = [
 
 /// K and Duv by Robertson's method, from 1667 K up; `None` for what is redder, and for NaN.
 ///
-/// Between the two isotherms that have the point between them everything is interpolated by the distances from the
-/// two: the temperature, the point of the locus, and the direction in which Duv grows.
+/// Between the two isotherms that have the point between them everything is interpolated by the distances
+/// from the two: the temperature, the point of the locus, and the direction in which Duv grows.
 #[must_use]
 pub fn robertson([u, v]: [f32; 2]) -> Option<[f32; 2]> {
     let mut before: Option<(&[f32; 4], f32)> = None;
@@ -93,10 +93,12 @@ fn between([u, v]: [f32; 2], [a, b]: [&[f32; 4]; 2], [from_a, from_b]: [f32; 2])
 /// Made from the CIE 1931 functions by `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard`.
 pub static LOCUS: [[f32; 3]; 466] = include!("locus_1_percent.txt");
 
-/// K and Duv by Ohno's method on his table of 1 % steps: the triangle of the nearest point and its two neighbors,
-/// and from |Duv| = 0.002 on a parabola through their distances. `None` beyond the ends of the table.
+/// K and Duv by Ohno's method on his table of 1 % steps: the triangle of the nearest point and its two
+/// neighbors, and from |Duv| = 0.002 on a parabola through their distances. `None` beyond the ends of the
+/// table.
 ///
-/// The whole table is searched. The differences of squares are taken as products: the same numbers, which f32 would lose as he writes them.
+/// The whole table is searched. The differences of squares are taken as products: the same numbers, which f32
+/// would lose as he writes them.
 ///
 /// # Reference
 /// Y. Ohno, "Practical use and calculation of CCT and Duv", Leukos 10 (2014).

@@ -5,8 +5,8 @@ use nanospectra::math::Math;
 /// x, y and z bar at a wavelength in nm, by the fit of seven piecewise Gaussian lobes.
 ///
 /// # Reference
-/// C. Wyman, P.-P. Sloan, P. Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions",
-/// Journal of Computer Graphics Techniques 2(2), 2013; section 2.2.
+/// C. Wyman, P.-P. Sloan, P. Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching
+/// Functions", Journal of Computer Graphics Techniques 2(2), 2013; section 2.2.
 #[must_use]
 pub fn color_matching<M: Math>(nm: f32) -> [f32; 3] {
     let lobe = |height: f32, center_nm: f32, below: f32, above: f32| {

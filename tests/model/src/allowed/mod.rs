@@ -1,8 +1,8 @@
 //! What the library may be off by, against references in f64, and checks by it.
 //!
-//! Each entry of `tests/data/allowances.txt` is used by one test, which fails when an error is larger than allowed, and
-//! also when the largest error is less than half of what is allowed: then the entry claims too little. Within these two,
-//! what was measured is on record, and may not grow by more than 2 %.
+//! Each entry of `tests/data/allowances.txt` is used by one test, which fails when an error is larger than
+//! allowed, and also when the largest error is less than half of what is allowed: then the entry claims too
+//! little. Within these two, what was measured is on record, and may not grow by more than 2 %.
 
 pub mod record;
 mod table;

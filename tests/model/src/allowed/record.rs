@@ -1,7 +1,8 @@
 //! The largest errors on record: what a check measures may not grow by more than 2 %.
 //!
-//! `cargo xtask bless` makes the record again. With NANOSPECTRA_BLESS=1 a test puts on record what is larger than what
-//! is there, and what is new. The errors are the same on every machine but for the last digits of the f64 models.
+//! `cargo xtask bless` makes the record again. With NANOSPECTRA_BLESS=1 a test puts on record what is larger
+//! than what is there, and what is new. The errors are the same on every machine but for the last digits of
+//! the f64 models.
 
 use super::table::{self, FOLDER, Table};
 use std::fs;

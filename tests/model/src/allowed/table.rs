@@ -1,5 +1,5 @@
-//! Tables of errors by name, as they stand in `tests/data`: a line for each check with two numbers, absolute and relative,
-//! and its name.
+//! Tables of errors by name, as they stand in `tests/data`: a line for each check with two numbers, absolute
+//! and relative, and its name.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,6 @@
-//! Instructions and bytes of stack of a step, printed: `name number unit`, of the dearest of several inputs. (Part of
-//! the images that print, since the library of images knows no `semihosting`, whose panic handler links.)
+//! Instructions and bytes of stack of a step, printed: `name number unit`, of the dearest of several inputs.
+//! (Part of the images that print, since the library of images knows no `semihosting`, whose panic handler
+//! links.)
 
 use nanospectra_firmware::clock::Clock;
 use nanospectra_firmware::{stack, steps};

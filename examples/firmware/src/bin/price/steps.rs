@@ -1,5 +1,5 @@
-//! Prints what each step of a reading costs, one `name number unit` per line: instructions and bytes of stack, of
-//! the dearest of several inputs.
+//! Prints what each step of a reading costs, one `name number unit` per line: instructions and bytes of
+//! stack, of the dearest of several inputs.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! Prints what a whole reading costs, as `price` does for its steps. An image of its own: where two functions share a
-//! step, the compiler calls it, and here nothing is shared, as in an instrument.
+//! Prints what a whole reading costs, as `price` does for its steps. An image of its own: where two functions
+//! share a step, the compiler calls it, and here nothing is shared, as in an instrument.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! The panic handler of an image that does not link if a panic can be reached. (Part of the images, since most of them
-//! are measured to the byte without the library of images.)
+//! The panic handler of an image that does not link if a panic can be reached. (Part of the images, since
+//! most of them are measured to the byte without the library of images.)
 
 unsafe extern "C" {
     /// Defined nowhere.
