@@ -19,7 +19,7 @@ mod upsample;
 use table::Table;
 
 /// An XYZ observer: one static with three rows, padded with zeros to the CIE grid of 360..=830 nm. With the
-/// name that users type and the title for reports, which make `observer::NAMED`.
+/// name that users type and the title for reports, which make `observer::ALL`.
 const OBSERVERS: &[(&str, &str, &str, &str)] = &[
     ("CIE_1931", "cie_1931_2deg_xyz_1nm", "1931", "CIE 1931, 2°"),
     ("CIE_1964", "cie_1964_10deg_xyz_1nm", "1964", "CIE 1964, 10°"),

@@ -25,20 +25,20 @@ pub struct NamedObserver {
     pub functions: &'static FineObserver<3>,
 }
 
-/// Makes [`NAMED`] from the list that the build script writes beside the tables.
+/// Makes [`ALL`] from the list that the build script writes beside the tables.
 macro_rules! by_name {
     ($($name:literal $title:literal $functions:ident,)*) => {
         /// All color-matching functions that users choose by name, that of 1931 first.
         ///
         /// A program that reads this contains the tables of all of them, 23 KB.
-        pub static NAMED: [NamedObserver; [$($name),*].len()] =
+        pub static ALL: [NamedObserver; [$($name),*].len()] =
             [$(NamedObserver { name: $name, title: $title, functions: &$functions }),*];
     };
 }
 
 include!(concat!(env!("OUT_DIR"), "/observers.rs"));
 
-/// The color-matching functions of this name, from [`NAMED`].
+/// The color-matching functions of this name, from [`ALL`].
 ///
 /// ```
 /// # use nanospectra::observer::{self, CIE_1964};
@@ -47,7 +47,7 @@ include!(concat!(env!("OUT_DIR"), "/observers.rs"));
 /// ```
 #[must_use]
 pub fn named(name: &str) -> Option<&'static NamedObserver> {
-    NAMED.iter().find(|observer| observer.name == name)
+    ALL.iter().find(|observer| observer.name == name)
 }
 
 /// CIE 2006 cone fundamentals, 2 degrees: long, middle and short wavelength cones.

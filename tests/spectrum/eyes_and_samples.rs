@@ -6,7 +6,7 @@ use model::interpolation::Samples;
 use model::tables::{ALPHA_OPIC as ALPHA_OPIC_COLUMNS, Observer, alpha_opic, samples, test_color_samples};
 use nanospectra::matter::{CES, TCS};
 use nanospectra::observer::{
-    ALPHA_OPIC, CIE_1931, CIE_1964, CIE_2006_LMS_2, CIE_2006_LMS_10, CIE_2015_2, CIE_2015_10, NAMED,
+    self, ALPHA_OPIC, CIE_1931, CIE_1964, CIE_2006_LMS_2, CIE_2006_LMS_10, CIE_2015_2, CIE_2015_10,
     NamedObserver, V_PHOTOPIC, V_SCOTOPIC,
 };
 use nanospectra::{Factor, Fine, FineObserver};
@@ -24,8 +24,8 @@ fn the_functions_are_the_cells_of_their_files() {
         (&CIE_2015_10, Observer::Cie2015Deg10),
     ];
     // Nothing that the crate names is left out.
-    let named = NAMED.iter().map(|named| named.functions);
-    assert!(eyes.iter().map(|(eye, _)| *eye).eq(named), "this list and observer::NAMED");
+    let named = observer::ALL.iter().map(|named| named.functions);
+    assert!(eyes.iter().map(|(eye, _)| *eye).eq(named), "this list and observer::ALL");
     for (eye, published) in eyes {
         for (row, published) in eye.weights().iter().zip(published.on_cie_grid()) {
             assert_eq!(row.as_slice(), rounded(&published));
@@ -52,17 +52,17 @@ fn y_bar_of_1931_is_v_lambda() {
 fn the_equal_energy_light_is_white_to_every_xyz_observer() {
     // All of them are normalized to x = y = 1/3 for it.
     let mut white = check("xy of equal energy");
-    for NamedObserver { name, functions, .. } in &NAMED {
+    for NamedObserver { name, functions, .. } in &observer::ALL {
         let [x, y, z] = functions.row_sums();
         white.value(&format!("{name} x"), x / (x + y + z), 1.0 / 3.0);
         white.value(&format!("{name} y"), y / (x + y + z), 1.0 / 3.0);
     }
-    white.tight(2 * NAMED.len());
+    white.tight(2 * observer::ALL.len());
 }
 
 #[test]
 fn no_two_functions_are_copies_of_each_other() {
-    let eyes = NAMED.iter().map(|named| named.functions).chain([&CIE_2006_LMS_2, &CIE_2006_LMS_10]);
+    let eyes = observer::ALL.iter().map(|named| named.functions).chain([&CIE_2006_LMS_2, &CIE_2006_LMS_10]);
     // Melanopsin; the cones of CIE S 026 are those of 10 degrees, its rhodopsin is V'.
     let rows = eyes.flat_map(|eye| eye.weights()).chain(V_SCOTOPIC.weights());
     let rows: Vec<&[f32; 471]> = rows.chain(&ALPHA_OPIC.weights()[4..]).collect();
@@ -74,7 +74,7 @@ fn no_two_functions_are_copies_of_each_other() {
     }
     println!("nearest two functions differ by {nearest}");
     assert!(nearest > 0.01, "two functions differ by no more than {nearest}");
-    assert_eq!(rows.len(), 3 * NAMED.len() + 8);
+    assert_eq!(rows.len(), 3 * observer::ALL.len() + 8);
 }
 
 #[test]

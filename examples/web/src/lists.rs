@@ -6,7 +6,7 @@ use nanospectra::{light, observer};
 /// titles. Empty behind the last.
 fn item(list: u32, index: u32) -> &'static str {
     let index = index as usize;
-    let observer = observer::NAMED.get(index);
+    let observer = observer::ALL.get(index);
     let item = match list {
         0 => light::NAMES.get(index).copied(),
         1 => (index == 0).then_some(light::NAMES_IN_BRIEF),

@@ -25,7 +25,7 @@ pub mod at {
 /// The eye by its place in the list of names.
 pub fn eye(number: u32) -> &'static FineObserver<3> {
     #[cfg(feature = "light")]
-    if let Some(named) = nanospectra::observer::NAMED.get(number as usize) {
+    if let Some(named) = nanospectra::observer::ALL.get(number as usize) {
         return named.functions;
     }
     let _ = number;

@@ -5,7 +5,7 @@ use crate::input::text::check_stdin;
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use nanospectra::Interpolation;
-use nanospectra::observer::{self, NAMED, NamedObserver};
+use nanospectra::observer::{self, NamedObserver};
 use std::path::PathBuf;
 
 const INPUT: &str = "\
@@ -42,7 +42,7 @@ pub struct Args {
     pub files: Vec<PathBuf>,
 
     /// Color-matching functions
-    #[arg(long, value_parser = eye(), default_value = NAMED[0].name)]
+    #[arg(long, value_parser = eye(), default_value = observer::ALL[0].name)]
     pub observer: Eye,
 
     /// The spectra are reflectances (shares 0..1) of surfaces, not lights
@@ -75,7 +75,7 @@ pub struct Args {
     pub svg: Option<PathBuf>,
 }
 
-/// `--observer`: one of [`NAMED`].
+/// `--observer`: one of [`observer::ALL`].
 #[derive(Clone, Copy, Debug)]
 pub struct Eye(pub &'static NamedObserver);
 
@@ -108,13 +108,13 @@ impl Args {
 
 impl Default for Eye {
     fn default() -> Self {
-        Eye(&NAMED[0])
+        Eye(&observer::ALL[0])
     }
 }
 
 /// Takes the names of the observers, and lists them in the help.
 fn eye() -> impl TypedValueParser<Value = Eye> {
-    let choices = NAMED.iter().map(|observer| PossibleValue::new(observer.name).help(observer.title));
+    let choices = observer::ALL.iter().map(|observer| PossibleValue::new(observer.name).help(observer.title));
     PossibleValuesParser::new(choices).map(|name| observer::named(&name).map_or_else(Eye::default, Eye))
 }
 
