@@ -56,7 +56,13 @@ fn backend<M: Math>(clock: &Clock, name: &str) {
     count("sin", |turns, sin| *sin = M::sin_turns(*turns), &angles);
     of_backend(clock, "planck", name, |[nm, k], power| *power = blackbody_with::<M>(*nm, *k), &glowing);
     of_backend(clock, "lab", name, |xyz, out| *out = xyz.lab_with::<M>(WHITE), &colors);
-    of_backend(clock, "srgb", name, |rgb, code| *code = rgb.encode_with::<transfer::SrgbTransfer, M>(), &rgbs);
+    of_backend(
+        clock,
+        "srgb",
+        name,
+        |rgb, code| *code = rgb.encode_with::<transfer::SrgbTransfer, M>(),
+        &rgbs,
+    );
 }
 
 fn of_backend<A, R: Default>(clock: &Clock, function: &str, backend: &str, f: fn(&A, &mut R), inputs: &[A]) {
