@@ -60,9 +60,11 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
         shell.run("cargo run --release")
     });
     lane.step("the packages are complete", |shell| {
-        // Cargo unpacks the first for the second, once for each version: what it kept of an earlier run is stale.
-        shell.run(r#"rm -rf "${CARGO_HOME:-$HOME/.cargo}"/registry/{src,cache}/*/nanospectra-[0-9]*"#)?;
+        // Cargo unpacks and builds the first for the second once for each version: what it kept of an earlier run
+        // is stale.
+        shell.bash(r#"rm -rf target/packaged "${CARGO_HOME:-$HOME/.cargo}"/registry/{src,cache}/*/nanospectra-[0-9]*"#)?;
         // Together, since the second depends on the first, which no registry has in this version.
+        let shell = shell.again().with("CARGO_TARGET_DIR", "target/packaged");
         shell.run("cargo package -p nanospectra -p nanospectra-cli --allow-dirty")
     });
 }
