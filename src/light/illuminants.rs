@@ -57,3 +57,30 @@ macro_rules! by_name {
 }
 
 include!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
+
+#[cfg(all(test, feature = "libm"))]
+mod tests {
+    extern crate std;
+
+    use crate::color::{Cct, Xyz};
+    use crate::light::{NAMES, named};
+    use crate::observer::CIE_1931;
+    use std::format;
+
+    #[test]
+    fn the_documentation_of_a_light_says_its_color() {
+        let text = include_str!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
+        let mut lights = 0;
+        for line in text.lines().filter(|line| line.contains(" K, x = ")) {
+            let (name, rest) = line.trim_start_matches("/// CIE ").split_once(" every ").expect(line);
+            let fine = named(&format!("{name}_1NM")).filter(|_| rest.starts_with("1 nm"));
+            let xyz = Xyz::from(CIE_1931.sees(&fine.or_else(|| named(name)).expect(line)));
+            let (Some(xy), Some(Cct::Near { cct_k, .. })) = (xyz.xy(), xyz.cct()) else { panic!("{line}") };
+            let found = format!("; {cct_k:.0} K, x = {:.4}, y = {:.4}.", xy.x, xy.y);
+            assert!(line.ends_with(&found), "{line} {found}");
+            lights += 1;
+        }
+        // Equal energy has no table.
+        assert_eq!(lights, NAMES.len() - 1);
+    }
+}

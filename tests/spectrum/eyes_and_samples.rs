@@ -49,6 +49,14 @@ fn y_bar_of_1931_is_v_lambda() {
 }
 
 #[test]
+fn an_observer_is_found_by_its_whole_name() {
+    for eye in &observer::ALL {
+        assert!(observer::named(eye.name).is_some_and(|found| core::ptr::eq(found, eye)));
+        assert!(observer::named(&eye.name[1..]).is_none() && observer::named(&eye.name[..2]).is_none());
+    }
+}
+
+#[test]
 fn the_equal_energy_light_is_white_to_every_xyz_observer() {
     // All of them are normalized to x = y = 1/3 for it.
     let mut white = check("xy of equal energy");

@@ -103,8 +103,9 @@ proptest! {
         prop_assert_eq!([one.lerp(&two, 0.0), one.lerp(&two, 1.0)], [one, two]);
         for (k, between) in one.lerp(&two, t).values().iter().enumerate() {
             prop_assert_eq!(one[k], a[k]);
-            let (low, high) = (a[k].min(b[k]), a[k].max(b[k]));
-            prop_assert!((low - 1e-6 * low.abs()..=high + 1e-6 * high.abs()).contains(between));
+            let [from, to, t] = [a[k], b[k], t].map(f64::from);
+            let off = f64::from(*between) - ((1.0 - t) * from + t * to);
+            prop_assert!(off.abs() <= 2e-7 * (from.abs() + to.abs()), "{off}");
         }
         let sizes = Seven::<Factor>::from_bins(a.map(f32::abs));
         prop_assert_eq!(sizes.sqrt(), Seven::from_bins(a.map(|a| a.abs().sqrt())));
@@ -115,6 +116,23 @@ proptest! {
         prop_assert_eq!(written.values()[3], 7.0);
         prop_assert_eq!(one.map(|a| a + 1.0), Seven::from_bins(a.map(|a| a + 1.0)));
     }
+}
+
+#[test]
+fn nan_stays_in_its_bin() {
+    let (numbers, broken) = (Light::<3>::flat(1.0), Light::from_bins([0.5, f32::NAN, 2.0]));
+    for light in [
+        broken.max(&numbers),
+        numbers.max(&broken),
+        broken.min(&numbers),
+        numbers.min(&broken),
+        broken.clamp(0.0, 1.0),
+        broken.lerp(&numbers, 1.0),
+        numbers.lerp(&broken, 0.0),
+    ] {
+        assert_eq!(light.values().map(f32::is_nan), [false, true, false], "{light:?}");
+    }
+    assert!(!broken.is_black());
 }
 
 #[test]
