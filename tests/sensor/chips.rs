@@ -39,6 +39,27 @@ fn channels_and_what_is_known_of_them_are_as_many() {
     assert_eq!(chip::named("AS7265x").and_then(|chip| chip.peak_nm(17)), Some(940.0));
 }
 
+/// The last values of their registers, by the data sheets: AS7341 and AS7343 reserve the last ASTEP.
+#[test]
+fn registers_end_where_the_data_sheets_say() {
+    let long: &[f32] = &[1.0, 255.0, 65_534.0];
+    let short: &[f32] = &[1.0, 255.0];
+    let last =
+        [("AS7341", long), ("AS7343", long), ("AS7262", short), ("AS7265x", short), ("TCS3472", short)];
+    for (name, last) in last {
+        let chip = chip::named(name).expect(name);
+        assert!(chip.exposure(last).is_some(), "{name}");
+        for register in 1..last.len() {
+            for beyond in [last[register] + 1.0, 0.5, -1.0, f32::NAN] {
+                let mut settings = last.to_vec();
+                settings[register] = beyond;
+                assert_eq!(chip.exposure(&settings), None, "{name} {settings:?}");
+            }
+        }
+        assert_eq!(chip.exposure(&last[1..]), None, "{name}");
+    }
+}
+
 #[test]
 fn every_ladder_climbs_in_settings_that_the_chip_has() {
     for chip in chip::ALL.into_iter().filter(|chip| !chip.settings.is_empty()) {

@@ -7,9 +7,9 @@ use crate::observer::FineObserver;
 use crate::sensor::chip::{Chip, Nominal, Setting};
 use crate::sensor::{Exposure, gaussian_responsivities};
 
-/// The exposure of these settings: the gain (one of [`GAINS`]) and the registers ATIME and ASTEP (at most 65
-/// 534). The time is (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below
-/// 65 535.
+/// The exposure of these settings: the gain (one of [`GAINS`]) and the registers ATIME and ASTEP (at most
+/// 65,534). The time is (ATIME + 1) (ASTEP + 1) 2.78 us, and the same product is the full scale if it is below
+/// 65,535.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::as7341;
