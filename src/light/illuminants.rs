@@ -58,8 +58,9 @@ macro_rules! by_name {
 
 include!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
 
-#[cfg(all(test, feature = "libm"))]
+#[cfg(test)]
 mod tests {
+    #![cfg(feature = "libm")]
     extern crate std;
 
     use crate::color::{Cct, Xyz};
