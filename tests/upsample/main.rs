@@ -8,11 +8,14 @@ mod fit;
 mod single_colors;
 mod tables;
 
+#[cfg(feature = "libm")]
 use nanospectra::{Fine, Power, light::D65};
 
+#[cfg(feature = "libm")]
 const LIGHT: Fine<Power> = D65.fine();
 
 /// Every color of an n^3 cube of encoded values.
+#[cfg(feature = "libm")]
 fn cube(n: usize, mut f: impl FnMut([f32; 3])) {
     let level = |k: usize| k as f32 / (n - 1) as f32;
     for r in 0..n {
