@@ -59,8 +59,8 @@ macro_rules! by_name {
 include!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
 
 #[cfg(test)]
+#[cfg(feature = "libm")]
 mod tests {
-    #![cfg(feature = "libm")]
     extern crate std;
 
     use crate::color::{Cct, Xyz};
