@@ -13,12 +13,12 @@ use core::marker::PhantomData;
 ///
 /// Plain and polarized light implement it. What leaves the matter counts as unpolarized. There is nothing to
 /// call here: [`Plain::onto`] and [`Stokes::onto`] use this trait to accept fluorescent matter; see the
-/// [example](Dye#example) of a dye.
+/// [example](Dye) of a dye.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot make matter fluoresce",
     label = "no light of `Power` in {N} bins of `{G}`",
-    note = "an eye that has the light folded in cannot see fluorescence any more, since each bin of light changes \
-            many of the eye's: fold the matter in first, `eye.looking_at_dye(&dye).under(&lamp)`"
+    note = "an eye that has the light folded in cannot see fluorescence any more, since each bin of light \
+            changes many of the eye's: fold the matter in first, `eye.looking_at_dye(&dye).under(&lamp)`"
 )]
 pub trait Excites<const N: usize, G> {
     /// The path that gives the same light as plain power, one number for each bin.

@@ -14,8 +14,8 @@ use crate::spectrum::{Factor, Spectrum};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no surface that `{L}` can fall on",
     label = "no surface for this light",
-    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, on `&Mirror`; \
-            on an effect of your own in `Own::new(&ink)`",
+    note = "light falls on `&Reflectance`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, on \
+            `&Mirror`; on an effect of your own in `Own::new(&ink)`",
     note = "it goes through `&Polarizer` and `&Retarder`: `.through(..)`",
     note = "what is `Power` is light itself: it is applied once, as the start of the path"
 )]
@@ -38,10 +38,12 @@ pub trait Surface<L> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no filter that `{L}` can go through",
     label = "no filter for this light",
-    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once `.polarized()`, \
-            through `&Polarizer` and `&Retarder`; through an effect of your own in `Own::new(&ink)`",
+    note = "light goes through spectra of `Factor`, `&Dye`, `&Donaldson`, `&Phosphor`, and, once \
+            `.polarized()`, through `&Polarizer` and `&Retarder`; through an effect of your own in \
+            `Own::new(&ink)`",
     note = "it falls on `&Mirror`: `.onto(..)`",
-    note = "what a dye leaves of polarization is not known: `.ignoring_polarization()` before `.through(&dye)`",
+    note = "what a dye leaves of polarization is not known: `.ignoring_polarization()` before \
+            `.through(&dye)`",
     note = "what is `Power` is light itself: it is applied once, as the start of the path"
 )]
 pub trait Filter<L> {

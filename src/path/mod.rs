@@ -94,7 +94,9 @@
 //! All stages of a path lie on one grid:
 //! ```compile_fail,E0277
 //! # use nanospectra::{Bins, Light, Reflectance};
-//! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) { let _ = sun.through(glass); } // resample()
+//! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) {
+//!     let _ = sun.through(glass); // sun.through(&glass.resample())
+//! }
 //! ```
 
 mod effect;

@@ -54,7 +54,10 @@ macro_rules! on_its_way {
                 P: Priced,
             {
                 const {
-                    assert!(P::PRICE.multiply_adds <= MULTIPLY_ADDS, "this path takes more multiply-adds than it may")
+                    assert!(
+                        P::PRICE.multiply_adds <= MULTIPLY_ADDS,
+                        "this path takes more multiply-adds than it may"
+                    )
                 }
                 self
             }

@@ -352,7 +352,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             let miss = self.miss(asked, given.map(|a| 1.0 - scale * a));
             status_of(miss, miss)
         } else {
-            // Dark colors are compared after they have been enlarged. All dark colors look alike.
+            // Dark colors are compared after they have been enlarged, since as they are any two look alike.
             let miss = self.miss(asked, given.map(|a| scale * a));
             status_of(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
         };

@@ -1,8 +1,9 @@
 //! The starting point of Newton's method: a polynomial that estimates the curve from the responses asked for.
 //!
 //! Replacing a spectrum s by 1 - s changes the sign of both its responses u and its numbers q, so the
-//! polynomial is odd: even terms are zero and are not stored. It is a polynomial in v = u / m with m = sqrt(1
-//! + mean u^2), whose value is multiplied by m, since towards black and white q grows in proportion to u.
+//! polynomial is odd: even terms are zero and are not stored. It is a polynomial in v = u / m, where
+//! m = sqrt(1 + mean u^2), and its value is multiplied by m, since towards black and white q grows in
+//! proportion to u.
 
 use crate::upsample::rsqrt::rsqrt;
 use crate::upsample::tables::{START_CUBIC, START_LINEAR, START_QUINTIC};

@@ -17,7 +17,7 @@ impl core::fmt::Display for PolarizationError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
-            "part {} polarizes light: follow it with fold_polarized or leaving_polarized, or leave it out",
+            "part {} polarizes light: call fold_polarized or leaving_polarized, or leave its effect out",
             self.part
         )
     }

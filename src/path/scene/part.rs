@@ -88,8 +88,9 @@ impl<const N: usize, G> core::fmt::Debug for Part<'_, N, G> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what it is in a scene of {N} bins of `{G}`",
     label = "no part of a scene",
-    note = "write `Part::Filter(&glass)` or `Part::Surface(&paper)`; `&Dye`, `&Donaldson`, `&Phosphor`, `&Mirror`, `&Polarizer` \
-            and `&Retarder` are parts by themselves, an effect of your own is one in `Own::new(&ink)`; all lie on one grid"
+    note = "write `Part::Filter(&glass)` or `Part::Surface(&paper)`; `&Dye`, `&Donaldson`, `&Phosphor`, \
+            `&Mirror`, `&Polarizer` and `&Retarder` are parts by themselves, an effect of your own is one in \
+            `Own::new(&ink)`; all lie on one grid"
 )]
 pub trait IntoPart<'a, const N: usize, G> {
     /// Returns the part of a scene that this value stands for.
