@@ -113,6 +113,10 @@ pub mod sensor;
 
 pub mod math;
 
+// Its examples use the default feature.
+#[cfg(any(feature = "libm", not(doctest)))]
+pub mod guide;
+
 pub use grid::{Bands, Bins, Grid, Nodes};
 pub use observer::{Curve, FineObserver, Observer};
 pub use spectrum::{

@@ -6,18 +6,20 @@ use crate::record::{CLASSES, Choice, choices, number, rows, text};
 use crate::text::figure;
 use serde_json::Value;
 
-/// What makes the table of this name of a report that has it.
-pub fn maker(name: &str) -> Option<fn(&Value) -> String> {
+/// The table of the record that a table of this name needs, and what makes it of a report.
+pub fn maker(name: &str) -> Option<(&'static str, fn(&Value) -> String)> {
     match name {
-        "xyz" => Some(|report| xyz(&choices(report))),
-        "losses" => Some(losses),
-        "math" => Some(math),
-        "cct" => Some(cct),
+        "headline" => Some(("xyz", |report| headline(&choices(report)))),
+        "xyz" => Some(("xyz", |report| xyz(&choices(report)))),
+        "losses" => Some(("losses", losses)),
+        "math" => Some(("math", math)),
+        "cct" => Some(("cct", cct)),
+        "upsample" => Some(("upsample", upsample)),
         _ => None,
     }
 }
 
-/// Rows of the sweep that say it all: range, scheme, bands, what the README calls it.
+/// Rows of the sweep that say it all: range, scheme, bands, and what the guide calls it.
 const SHOWN: [(&str, &str, u32, &str); 12] = [
     ("380..730", "folded spline", 8, "8"),
     ("380..730", "folded spline", 12, "12"),
@@ -32,6 +34,41 @@ const SHOWN: [(&str, &str, u32, &str); 12] = [
     ("400..700", "points", 31, "31 points, every 10 nm, *not folded*"),
     ("-", "sRGB product", 3, "a product of sRGB colors"),
 ];
+
+/// Rows for a reader who has two minutes. All of them are counted in one build.
+const FIRST: [(&str, &str, u32, &str); 6] = [
+    ("-", "sRGB product", 3, "product of two sRGB colors"),
+    ("400..700", "points", 31, "31 samples, every 10 nm, *not folded*"),
+    ("380..730", "folded spline", 8, "8 folded bands"),
+    ("380..730", "folded spline", 16, "**16 folded bands**"),
+    ("380..730", "folded spline", 31, "31 folded bands"),
+    ("380..730", "folded spline", 81, "81 folded bands"),
+];
+
+/// The mean error under two kinds of lamps and the largest under all, the instructions and the bytes of what is read.
+fn headline(choices: &[Choice]) -> String {
+    let mut out =
+        "| a surface under a lamp, as | daylight, incandescent | white LEDs | triphosphor | instructions \
+        | bytes |\n|---|--:|--:|--:|--:|--:|\n"
+            .to_owned();
+    for (range, scheme, bands, shown) in FIRST {
+        let Some(choice) = choices.iter().find(|choice| choice.is(range, scheme, bands)) else { continue };
+        let errors = ["smooth", "led", "triphosphor"].map(|class| {
+            let class = CLASSES.iter().position(|name| *name == class);
+            class.map_or_else(String::new, |k| {
+                format!("{} / {}", figure(choice.mean[k]), figure(choice.max[k]))
+            })
+        });
+        let instructions = counts::instructions_as(Core::M4F, Profile::Release, &counted(choice));
+        out += &format!(
+            "| {shown} | {} | {} | {} |\n",
+            errors.join(" | "),
+            instructions.map_or_else(String::new, grouped),
+            grouped((choice.constants + choice.surface) as u32),
+        );
+    }
+    out
+}
 
 fn xyz(choices: &[Choice]) -> String {
     let mut out = "| bands | smooth | halophosphate FL | triphosphor FL | LED | HID | lines | constants \
@@ -137,6 +174,51 @@ fn cct(report: &Value) -> String {
     }
     out
 }
+
+fn upsample(report: &Value) -> String {
+    let most = |counted: &str, profile| counts::instructions_as(Core::M4F, profile, counted);
+    let mut out = "| | bytes | back, mean / most | wrong 8-bit codes | under A / FL2 / FL11 / LED-B3 \
+        | Cortex-M4F, opt 3 | \"s\" |\n|---|--:|--:|--:|--:|--:|--:|\n"
+        .to_owned();
+    for row in rows(report, "upsample") {
+        let method = text(row, "method");
+        let (shown, counted) = SHOWN_METHODS
+            .into_iter()
+            .find_map(|(name, shown, counted)| (name == method).then_some((shown, counted)))
+            .unwrap_or((method, ""));
+        let de2000 = |column| number(row, column).map_or_else(|| "-".to_owned(), figure);
+        let lamps = ["a", "fl2", "fl11", "led_b3"].map(|lamp| {
+            number(row, &format!("{lamp}_de2000"))
+                .map_or_else(|| "-".to_owned(), |error| format!("{error:.1}"))
+        });
+        let wrong = number(row, "wrong_codes_percent");
+        let instructions = [Profile::Release, Profile::Small].map(|profile| {
+            let all = [most(counted, profile), most(&format!("{counted}-most"), profile)];
+            let all: Vec<String> = all.into_iter().flatten().map(grouped).collect();
+            if all.is_empty() { "-".to_owned() } else { all.join(" / ") }
+        });
+        out += &format!(
+            "| {shown} | {} | {} / {} | {} | {} | {} |\n",
+            count(number(row, "bytes")),
+            de2000("mean_de2000"),
+            de2000("max_de2000"),
+            wrong.map_or_else(|| "-".to_owned(), |percent| format!("{} %", figure(percent))),
+            lamps.join(" / "),
+            instructions.join(" | "),
+        );
+    }
+    out
+}
+
+/// Methods of upsampling: as the record and as the guide call them, and what their instructions are on record as.
+const SHOWN_METHODS: [(&str, &str, &str); 6] = [
+    ("Sigmoid, Linear", "`Sigmoid`, `LinearStart`", "upsample-linear-31"),
+    ("Sigmoid, Cubic", "**`Sigmoid`, `CubicStart`**", "upsample-cubic-31"),
+    ("Sigmoid, Quintic", "`Sigmoid`, `QuinticStart`", "upsample-quintic-31"),
+    ("Basis", "`Basis` (linear)", "upsample-basis-31"),
+    ("Smits", "`Smits` (the classic)", "upsample-smits-31"),
+    ("product of RGB", "a product of RGB, no spectrum", "rgb-product"),
+];
 
 fn count(count: Option<f64>) -> String {
     count.map_or_else(|| "-".to_owned(), |count| grouped(count as u32))
