@@ -9,7 +9,7 @@
 //! | send light through filters, dyes and films | [the light's path](paths) |
 //! | use the crate in a path tracer | [in a renderer](renderer) |
 //! | know how accurate the results are | [accuracy and hard cases](hard_cases) |
-//! | know which scale, observer or white is meant | [conventions](conventions) |
+//! | know which scale, observer or white is meant | [conventions] |
 //! | rely on equal results on every machine | [the same bits everywhere](same_bits) |
 //! | fit it into flash and stack | [on a microcontroller](microcontrollers) |
 //!
