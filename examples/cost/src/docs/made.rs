@@ -11,6 +11,7 @@ pub fn maker(name: &str) -> Option<(&'static str, fn(&Value) -> String)> {
     match name {
         "headline" => Some(("xyz", |report| headline(&choices(report)))),
         "xyz" => Some(("xyz", |report| xyz(&choices(report)))),
+        "xyz-cost" => Some(("xyz", |report| xyz_cost(&choices(report)))),
         "losses" => Some(("losses", losses)),
         "math" => Some(("math", math)),
         "cct" => Some(("cct", cct)),
@@ -70,9 +71,10 @@ fn headline(choices: &[Choice]) -> String {
     out
 }
 
+/// The errors of each choice.
 fn xyz(choices: &[Choice]) -> String {
-    let mut out = "| bands | smooth | halophosphate FL | triphosphor FL | LED | HID | lines | constants \
-        | Cortex-M4F, opt 3 / \"s\" | Cortex-M0 |\n|---|---|---|---|---|---|---|--:|--:|--:|\n"
+    let mut out = "| bands | smooth | halophosphate FL | triphosphor FL | LED | HID | lines |\n\
+        |---|---|---|---|---|---|---|\n"
         .to_owned();
     for (range, scheme, bands, shown) in SHOWN {
         let Some(choice) = choices.iter().find(|choice| choice.is(range, scheme, bands)) else { continue };
@@ -81,14 +83,27 @@ fn xyz(choices: &[Choice]) -> String {
             let cell = format!("{} / {}", figure(choice.mean[k]), figure(choice.max[k]));
             if bold { format!("**{cell}**") } else { cell }
         });
+        out += &format!("| {shown} | {} |\n", errors.collect::<Vec<_>>().join(" | "));
+    }
+    out
+}
+
+/// What the choices of [`SHOWN`] cost. (A curve costs as much as any other.)
+fn xyz_cost(choices: &[Choice]) -> String {
+    let mut out =
+        "| bands | constants, bytes | a surface, bytes | Cortex-M4F, opt 3 | \"s\" | Cortex-M0, opt 3 |\n\
+        |---|--:|--:|--:|--:|--:|\n"
+            .to_owned();
+    for (range, scheme, bands, shown) in SHOWN {
+        let Some(choice) = choices.iter().find(|choice| choice.is(range, scheme, bands)) else { continue };
         let m4f = [Profile::Release, Profile::Small].map(|profile| {
             counts::instructions_as(Core::M4F, profile, &counted(choice)).map_or_else(String::new, grouped)
         });
         out += &format!(
-            "| {shown} | {} | {} B | {} | {} |\n",
-            errors.collect::<Vec<_>>().join(" | "),
-            choice.constants,
-            m4f.join(" / "),
+            "| {shown} | {} | {} | {} | {} |\n",
+            grouped(choice.constants as u32),
+            grouped(choice.surface as u32),
+            m4f.join(" | "),
             count(choice.instructions(Core::M0)),
         );
     }
