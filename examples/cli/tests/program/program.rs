@@ -28,7 +28,7 @@ fn a_word_that_is_no_command_is_refused_on_one_line() {
         NANOSPECTRA.refuses(&[word], &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
     }
     let long = "x".repeat(300);
-    NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "no command");
+    NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "not a command");
     NANOSPECTRA.refuses(&["--json"], "nanospectra: ", "--json");
 }
 
