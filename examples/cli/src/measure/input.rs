@@ -29,7 +29,7 @@ pub fn read_one(path: &Path, option: &str) -> Result<Source, Failure> {
         (_, more) => Err(Failure::of(
             path.display(),
             format!(
-                "the file has {} spectra, but {option} takes one; save that to a file of its own",
+                "the file has {} spectra, but {option} takes one; save that one to a file of its own",
                 more + 1
             ),
         )),
