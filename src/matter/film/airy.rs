@@ -29,7 +29,7 @@ impl Tilted {
     pub(super) fn new(n: [f32; 3], cos0: f32) -> Self {
         let [n0, n1, n2] = n;
         let square = |x| Double::product(x, x);
-        // n^2 - n0^2 + (n0 cos)^2: exact where the indices are equal, and by its 48 bits where they are far
+        // n^2 - n0^2 + (n0 cos)^2 is exact where the indices are equal, and has 48 bits where they are far
         // apart.
         let slant = Double::product(n0, cos0);
         let squared = |n| square(n).minus(square(n0)).plus(slant.times(slant));
@@ -64,13 +64,13 @@ impl Tilted {
         let over = (n0 - n2) * (n0 + n2);
         let s = Faces { first: self.first, film, last, down, up, over, per_index: 1.0 };
         let [m0, m1, m2] = [n0 * n0, n1 * n1, n2 * n2];
-        // Per medium the squares of the sine and of the cosine, which near grazing is no longer 1 less the
-        // sine's.
+        // The squares of the sine and of the cosine in each medium. Near grazing incidence the latter cannot
+        // be computed as 1 minus the former.
         let film2 = if self.fades { -film * film } else { film * film };
         let light = [self.across / m0, self.cos0 * self.cos0];
         let inside = [self.across / m1, film2 / m1];
         let behind = [self.across / m2, (last / n2) * (last / n2)];
-        // 1 less both sines: zero at Brewster's angle.
+        // 1 minus both squared sines, which is zero at Brewster's angle.
         let brewster = |[sine, cosine]: [f32; 2], [other_sine, other]: [f32; 2]| {
             if sine > other_sine { cosine - other_sine } else { other - sine }
         };

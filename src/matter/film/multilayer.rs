@@ -150,7 +150,8 @@ impl Wave {
             cos * one + MINUS_I * sin_over * per_index * other,
             cos * other + MINUS_I * sin_over * tilted * tilted * per_index.inverse() * one,
         ];
-        // Only ratios count: many layers neither overflow nor vanish.
+        // Only the ratio of the fields matters, so they are rescaled: many layers neither overflow nor
+        // underflow.
         let size = rises.iter().fold(0.0, |size: f32, field| size.max(field.re.abs()).max(field.im.abs()));
         self.fields = rises.map(|field| field.times(1.0 / size));
         self.arriving *= weakened / size / size;
@@ -161,14 +162,14 @@ impl Wave {
         let [one, other] = self.fields;
         let all = (one.times(first) + other).power();
         if all == 0.0 {
-            // Light that grazes a face between two like media, which is not there.
+            // Light grazes the plane between two equal media, which is no boundary.
             return PowerShares::NOTHING;
         }
         let entering = 4.0 * first * (one.re * other.re + one.im * other.im) / all;
         let transmitted = 4.0 * first * self.arriving / all;
         let reflected = (one.times(first) - other).power() / all;
         // A sharp resonance magnifies the rounding of what arrives to as much as 1 %. The shares are
-        // therefore divided by their sum where it exceeds 1.
+        // therefore divided by their sum, for absorbing layers only where it exceeds 1.
         let both = reflected + transmitted;
         let (whole, absorbed) = if clear { (both, 0.0) } else { (both.max(1.0), entering - transmitted) };
         PowerShares { reflected: reflected / whole, transmitted: transmitted / whole, absorbed }.held()

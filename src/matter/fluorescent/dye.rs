@@ -139,7 +139,7 @@ impl FluorescenceError {
     pub const fn message(&self) -> &'static str {
         match self {
             Self::OutOfRange { .. } => "a value is negative or not finite",
-            Self::AntiStokes { .. } => "light leaves at shorter waves than it came with",
+            Self::AntiStokes { .. } => "light leaves at a shorter wavelength than it came with",
             Self::QuantumYield => "the quantum yield is not in 0..=1",
             Self::NoEmission => "the emission is zero everywhere",
             Self::Energy { .. } => "light leaves with more energy than it came with",

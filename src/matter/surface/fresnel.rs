@@ -344,7 +344,7 @@ pub struct Amplitudes {
 }
 
 impl Amplitudes {
-    /// Returns the shares of power that are reflected, which are the squares of the amplitudes.
+    /// Returns the shares of power that are reflected, the squares of the absolute amplitudes.
     #[must_use]
     pub fn power(self) -> Components {
         Components { s: self.s.power(), p: self.p.power() }

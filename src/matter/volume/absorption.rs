@@ -62,7 +62,7 @@ pub enum AbsorberError {
 impl fmt::Display for AbsorberError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OutOfRange { bin } => write!(f, "bin {bin} does not absorb: its value is out of range"),
+            Self::OutOfRange { bin } => write!(f, "the value of bin {bin} is out of range"),
             Self::Amount => f.write_str("a length or concentration is not a finite number above zero"),
         }
     }
@@ -113,7 +113,7 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
         Self::from_per_m(plate.values().map(|t| if t == 1.0 { 0.0 } else { -M::ln(t) / thickness_m }))
     }
 
-    /// Makes the absorber that a dissolved substance is, from its molar absorption coefficients and its
+    /// Makes an absorber from the molar absorption coefficients of a dissolved substance and its
     /// concentration.
     ///
     /// `l_per_mol_cm` are decadic coefficients in L mol-1 cm-1, each 0 or more, and `mol_per_l` is the
@@ -196,7 +196,7 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
 }
 
 impl<const N: usize, G: Grid> Absorber<N, G> {
-    /// Makes the absorber that air is because it scatters light out of a beam (Rayleigh scattering).
+    /// Makes an absorber that stands for the light that air scatters out of a beam (Rayleigh scattering).
     ///
     /// It holds at 288.15 K and 101325 Pa. For thinner air multiply it, by [`times`](Self::times), with the
     /// share of that density. The grid must lie within 200..=2000 nm: below, air also absorbs, and the

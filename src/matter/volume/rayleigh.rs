@@ -67,7 +67,7 @@ pub const fn king_factor(nm: f32, co2_ppm: f32) -> f32 {
 /// ```
 #[must_use]
 pub const fn rayleigh_cross_section(nm: f32, co2_ppm: f32) -> f32 {
-    // Carbon dioxide has 0.54 more refractivity, relative, than the air that it replaces.
+    // The refractivity of carbon dioxide is 54 % higher than that of the air that it replaces.
     let r = air_refractivity(nm) * (1.0 + 0.54e-6 * (co2_ppm - 300.0));
     // (n^2 - 1) / (n^2 + 2) divided by the number of molecules, from n - 1, since n is too close to 1 to be
     // squared.

@@ -8,7 +8,8 @@ use crate::matter::volume::absorption::depth;
 use crate::matter::{Absorber, AbsorberError, Dielectric, PowerShares};
 use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
-/// A plane-parallel slab that has the same medium on both sides: window glass, a filter, the wall of a cuvette.
+/// A plane-parallel slab that has the same medium on both sides: window glass, a filter, the wall of a
+/// cuvette.
 ///
 /// Fill in its fields, or make it from a measured transmittance by
 /// [`from_transmittance`](Self::from_transmittance). Then [`transmittance`](Self::transmittance) is the
