@@ -16,20 +16,20 @@ pub(super) struct Tilted {
     across: f32,
     /// n cos(theta) in the first medium.
     first: f32,
-    /// n cos(theta) in the film; its size where it is imaginary.
+    /// n cos(theta) in the film; its absolute value where it is imaginary.
     pub(super) film: Double,
-    /// The wave in the film fades instead of traveling.
+    /// Whether the wave in the film fades instead of traveling (total reflection at the first face).
     pub(super) fades: bool,
-    /// n cos(theta) in the last medium; `None` where nothing travels there.
+    /// n cos(theta) in the last medium; `None` under total reflection, when no light travels there.
     last: Option<f32>,
 }
 
 impl Tilted {
-    /// Three indices that are in 1e-3..=1e3, and the cosine in the first medium, 0..=1.
+    /// Takes three indices, each in 1e-3..=1e3, and the cosine in the first medium, 0..=1.
     pub(super) fn new(n: [f32; 3], cos0: f32) -> Self {
         let [n0, n1, n2] = n;
         let square = |x| Double::product(x, x);
-        // n^2 - n0^2 + (n0 cos)^2: exact where the indices are equal, and by its 48 bits where they are far
+        // n^2 - n0^2 + (n0 cos)^2 is exact where the indices are equal, and has 48 bits where they are far
         // apart.
         let slant = Double::product(n0, cos0);
         let squared = |n| square(n).minus(square(n0)).plus(slant.times(slant));
@@ -56,7 +56,7 @@ impl Tilted {
         Tilted { n, cos0, across: n0 * n0 * (1.0 - cos0) * (1.0 + cos0), first, film, fades, last }
     }
 
-    /// s and p; `None` under total reflection at the last medium.
+    /// The admittances of s and p; `None` under total reflection at the last medium.
     pub(super) fn faces(&self) -> Option<[Faces; 2]> {
         let ([n0, n1, n2], last) = (self.n, self.last?);
         let film = self.film.high;
@@ -64,13 +64,13 @@ impl Tilted {
         let over = (n0 - n2) * (n0 + n2);
         let s = Faces { first: self.first, film, last, down, up, over, per_index: 1.0 };
         let [m0, m1, m2] = [n0 * n0, n1 * n1, n2 * n2];
-        // Per medium the squares of the sine and of the cosine, which near grazing is no longer 1 less the
-        // sine's.
+        // The squares of the sine and of the cosine in each medium. Near grazing incidence the latter cannot
+        // be computed as 1 minus the former.
         let film2 = if self.fades { -film * film } else { film * film };
         let light = [self.across / m0, self.cos0 * self.cos0];
         let inside = [self.across / m1, film2 / m1];
         let behind = [self.across / m2, (last / n2) * (last / n2)];
-        // 1 less both sines: zero at Brewster's angle.
+        // 1 minus both squared sines, which is zero at Brewster's angle.
         let brewster = |[sine, cosine]: [f32; 2], [other_sine, other]: [f32; 2]| {
             if sine > other_sine { cosine - other_sine } else { other - sine }
         };
@@ -97,7 +97,7 @@ impl Tilted {
         } else if self.fades {
             let grown = M::expm1(straight * film);
             let sinh = 0.5 * (grown + grown / (1.0 + grown));
-            // What is left of the wave is below 1e-24, and its inverse soon beyond f32.
+            // The power that is left of the wave is below 1e-24, and the inverse soon exceeds f32.
             if grown > 1e12 { [f32::INFINITY, f32::INFINITY] } else { [sinh / film, 1.0 + sinh * sinh] }
         } else {
             let half = Double { high: 0.5 * turns.high, low: 0.5 * turns.low };
@@ -122,12 +122,12 @@ pub(super) struct Faces {
 }
 
 impl Faces {
-    /// What one wavelength does; `crossing` as [`Tilted::crossing`] has it.
+    /// The shares at one wavelength; `crossing` is the result of [`Tilted::crossing`].
     pub(super) fn coherent(&self, fades: bool, [ratio, cos2]: [f32; 2]) -> PowerShares {
         let &Faces { first, film, last, down, up, over, per_index } = self;
         let sum = first + last;
         if sum == 0.0 {
-            // Grazing, with the same medium on both sides: a mirror, or nothing at all.
+            // At grazing incidence with the same medium on both sides the film is a mirror, or is not there.
             return if down == 0.0 || ratio == 0.0 { PowerShares::NOTHING } else { PowerShares::MIRROR };
         }
         let ratio = ratio * per_index;
@@ -141,7 +141,7 @@ impl Faces {
         PowerShares { reflected: back / all, transmitted: 4.0 * first * last / all, absorbed: 0.0 }.held()
     }
 
-    /// The beams of many phases: no interference left.
+    /// The shares when beams of many phases are added, so that no interference is left.
     pub(super) fn incoherent(&self) -> PowerShares {
         let &Faces { first, film, last, down, up, .. } = self;
         let sum = first + last;
@@ -158,7 +158,7 @@ impl Faces {
         .held()
     }
 
-    /// -r01 r12, what a beam is weakened by in going to and fro, -1..=1; and 1 less its size.
+    /// -r01 r12, the factor by which one round trip weakens a beam, -1..=1; and 1 minus its absolute value.
     pub(super) fn round_trip(&self) -> [f32; 2] {
         let &Faces { first, film, last, down, up, .. } = self;
         let faces = (first + film) * (last + film);
@@ -176,7 +176,7 @@ impl Faces {
             g / (2.0 * PI * edge.slope) + h / (2.0 * PI * PI * edge.nm * edge.slope * edge.slope)
         };
         let [low, high] = edges;
-        // T over its mean is 1 + 2 sum(q^m cos(m delta)): what is beyond 1.
+        // T over its mean is 1 + 2 sum(q^m cos(m delta)); this is the mean of the part beyond 1.
         let fringes = (up_to(low) - up_to(high)) / width_nm;
         let mean = self.incoherent();
         PowerShares {
@@ -188,12 +188,12 @@ impl Faces {
     }
 }
 
-/// An end of a range of wavelengths.
+/// One end of a range of wavelengths.
 pub(super) struct Edge {
     pub(super) nm: f32,
-    /// Phase of a round trip.
+    /// The phase of a round trip.
     pub(super) turns: Double,
-    /// Turns that a nanometer less adds.
+    /// The turns by which the phase grows when the wavelength falls by one nanometer.
     pub(super) slope: f32,
 }
 

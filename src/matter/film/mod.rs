@@ -1,4 +1,4 @@
-//! Thin films and stacks of them, where light interferes with itself.
+//! Thin films and stacks of films, where light interferes with itself.
 
 mod airy;
 mod multilayer;

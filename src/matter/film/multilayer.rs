@@ -1,4 +1,4 @@
-//! Stacks of layers, absorbing ones too: mirrors of many films, metal on glass, oxide on silicon.
+//! Stacks of layers that may absorb, such as mirrors of many films, metal on glass, or oxide on silicon.
 
 use crate::grid::Grid;
 use crate::math::Complex;
@@ -10,29 +10,37 @@ use crate::matter::film::shares::bins;
 use crate::matter::film::thin_film::held;
 use crate::spectrum::{Factor, Spectrum};
 
-/// A medium at one wavelength: its complex index of refraction n + ik.
+/// A medium of a [`Stack`] at one wavelength, which is described by its complex refractive index n + ik.
+///
+/// See the [example](Stack#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Medium {
-    /// Index of refraction, 1e-3..=1e3.
+    /// The real part of the index, which sets the speed of light in the medium: 1e-3..=1e3.
     pub n: f32,
-    /// Extinction coefficient, 0..=1e3: power falls by exp(-4 pi k d / lambda).
+    /// The extinction coefficient, by which power falls as exp(-4 pi k d / lambda): 0..=1e3.
     pub k: f32,
 }
 
-/// A layer: what it is made of, and how thick it is.
+/// A layer of a [`Stack`], described by its medium and its thickness.
+///
+/// See the [example](Stack#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Layer {
-    /// Its medium.
+    /// The medium that the layer is made of.
     pub medium: Medium,
-    /// Its thickness, in nm, 0..=1e12.
+    /// How thick the layer is, in nm: 0..=1e12.
     pub thickness_nm: f32,
 }
 
-/// `L` layers on a substrate, as one wavelength meets them, coherent throughout: a substrate of millimeters
-/// belongs behind the stack (as `substrate`) or into a filter of its own. What disperses makes a stack for
-/// each wavelength.
+/// A stack of `L` layers on a substrate, described by what its media are at one wavelength.
+///
+/// Fill in the fields and call [`at`](Self::at) for one wavelength, or [`stack_bins`] for spectra; for
+/// these, write a function that makes the stack of each wavelength, since media disperse. All layers count as
+/// coherent. A plate of millimeters is therefore not a layer: it is the `substrate`, or a filter of its own.
+///
+/// # Example
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -46,11 +54,12 @@ pub struct Layer {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stack<const L: usize> {
-    /// Index of refraction of the medium that the light comes from, which does not absorb: 1e-3..=1e3.
+    /// The refractive index of the medium that the light comes from, which does not absorb: 1e-3..=1e3. See
+    /// the [example](#example).
     pub incident: f32,
-    /// The layers, in the order in which light meets them.
+    /// The layers in the order in which light meets them. See the [example](#example).
     pub layers: [Layer; L],
-    /// What lies behind the last layer, without end. What enters it counts as transmitted.
+    /// The medium behind the last layer, which has no end: the light that enters it counts as transmitted.
     pub substrate: Medium,
 }
 
@@ -65,9 +74,12 @@ impl Medium {
 }
 
 impl<const L: usize> Stack<L> {
-    /// What becomes of light of one wavelength, s and p polarized; NaN where an index or a thickness is out
-    /// of range. `nm` 1..=1e9 is the wavelength in vacuum; `cos_theta` the cosine of the angle of incidence,
-    /// held within 0..=1.
+    /// Computes the shares of s and of p polarized light of one wavelength that are reflected, transmitted
+    /// and absorbed.
+    ///
+    /// `nm` 1..=1e9 is the wavelength in vacuum, and `cos_theta` the cosine of the angle of incidence,
+    /// clamped to 0..=1. The shares are NaN where an index, a thickness or the wavelength is out of range.
+    /// See the [example](#example).
     ///
     /// # Accuracy
     /// 2e-4 absolute for up to eight layers of a wave or two, seen from air at cosines from 0.05: the worst
@@ -87,7 +99,7 @@ impl<const L: usize> Stack<L> {
         self.at_with::<Portable>(nm, cos_theta)
     }
 
-    /// [`at`](Self::at) on another math backend.
+    /// Computes the same as [`at`](Self::at), on the math backend `M`.
     #[must_use]
     pub fn at_with<M: Math>(&self, nm: f32, cos_theta: f32) -> [PowerShares; 2] {
         let media = Medium { n: self.incident, k: 0.0 }.is_some() && self.substrate.is_some();
@@ -121,7 +133,7 @@ impl<const L: usize> Stack<L> {
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
-/// The two tangential fields at a face, up to a factor.
+/// The two tangential fields at a face, up to a common factor.
 struct Wave {
     fields: [Complex; 2],
     /// The power that arrives in the substrate, in the units of `fields`.
@@ -129,7 +141,7 @@ struct Wave {
 }
 
 impl Wave {
-    /// Takes the fields from below a layer to above it.
+    /// Carries the fields from below a layer to above it.
     fn rise(&mut self, crossing: &Crossing, tilted: Complex, per_index: Complex) {
         const MINUS_I: Complex = Complex::new(0.0, -1.0);
         let Crossing { cos, sin_over, weakened } = *crossing;
@@ -138,25 +150,26 @@ impl Wave {
             cos * one + MINUS_I * sin_over * per_index * other,
             cos * other + MINUS_I * sin_over * tilted * tilted * per_index.inverse() * one,
         ];
-        // Only ratios count: many layers neither overflow nor vanish.
+        // Only the ratio of the fields matters, so they are rescaled: many layers neither overflow nor
+        // underflow.
         let size = rises.iter().fold(0.0, |size: f32, field| size.max(field.re.abs()).max(field.im.abs()));
         self.fields = rises.map(|field| field.times(1.0 / size));
         self.arriving *= weakened / size / size;
     }
 
-    /// What comes of light from a medium of this admittance; `clear` layers absorb nothing.
+    /// The shares for light from a medium of admittance `first`; `clear` layers absorb nothing.
     fn shares(&self, first: f32, clear: bool) -> PowerShares {
         let [one, other] = self.fields;
         let all = (one.times(first) + other).power();
         if all == 0.0 {
-            // Grazing along a face that is none.
+            // Light grazes the plane between two equal media, which is no boundary.
             return PowerShares::NOTHING;
         }
         let entering = 4.0 * first * (one.re * other.re + one.im * other.im) / all;
         let transmitted = 4.0 * first * self.arriving / all;
         let reflected = (one.times(first) - other).power() / all;
-        // A sharp resonance magnifies the rounding of what arrives: up to 1 % of it, and no light comes from
-        // nowhere.
+        // A sharp resonance magnifies the rounding of what arrives to as much as 1 %. The shares are
+        // therefore divided by their sum, for absorbing layers only where it exceeds 1.
         let both = reflected + transmitted;
         let (whole, absorbed) = if clear { (both, 0.0) } else { (both.max(1.0), entering - transmitted) };
         PowerShares { reflected: reflected / whole, transmitted: transmitted / whole, absorbed }.held()
@@ -167,18 +180,20 @@ impl Wave {
 fn tilted(medium: Medium, incident: f32, first: f32, across: f32) -> Complex {
     let Medium { n, k } = medium;
     if k == 0.0 {
-        // Near the first medium's index the difference of the indices counts, not that of their squares.
+        // Where the index is close to that of the first medium, the difference of the indices is more
+        // accurate than that of their squares.
         return Complex::new((n - incident) * (n + incident) + first * first, 0.0).sqrt();
     }
     Complex::new((n - k) * (n + k) - across, 2.0 * n * k).sqrt()
 }
 
-/// Cosine of the complex phase of one crossing, and its sine over n cos(theta); both weakened as the wave is.
+/// The cosine of the complex phase of one crossing, and its sine over n cos(theta), both weakened as the
+/// wave is.
 #[derive(Clone, Copy)]
 struct Crossing {
     cos: Complex,
     sin_over: Complex,
-    /// What the power of the wave is weakened by.
+    /// The factor by which the power of the wave is weakened.
     weakened: f32,
 }
 
@@ -188,7 +203,7 @@ impl Crossing {
         let turns = Double::product(tilted.re, thickness_nm).over(nm).fraction();
         let (sin, cos) = (M::sin_turns(turns), M::cos_turns(turns));
         let length = TAU * (thickness_nm / nm);
-        // exp(-2 kappa), which no thickness makes overflow, stands in for cosh and sinh.
+        // exp(-2 kappa), which overflows at no thickness, takes the place of cosh and sinh.
         let lost = -M::expm1(-2.0 * tilted.im * length);
         let (sum, difference) = (1.0 - 0.5 * lost, 0.5 * lost);
         let sine = Complex::new(sin * sum, cos * difference);
@@ -202,11 +217,15 @@ impl Crossing {
     }
 }
 
-/// One share (`|shares| shares.reflected`) of each bin's mean, for s and p polarized light; `stack` makes the
-/// stack of a wavelength in nm, and `cos_theta` is as in [`Stack::at`].
+/// Computes the mean over each bin of one share of a [`Stack`], such as its reflectance, for s and for p
+/// polarized light.
 ///
-/// Each bin is read in `panels` pieces of three points: one for each fringe in a bin at least; ten for each
-/// hold the mean to some 1e-6.
+/// `stack` makes the stack of a wavelength in nm, `cos_theta` is as in [`Stack::at`], and `share` picks the
+/// share (`|shares| shares.reflected`). Each bin is divided into `panels` pieces that are read at three
+/// points each. Take at least one panel for each fringe within a bin; ten for each fringe hold the mean to
+/// some 1e-6.
+///
+/// # Example
 ///
 /// ```
 /// use nanospectra::matter::{Layer, Medium, Stack, stack_bins};
@@ -230,7 +249,9 @@ pub fn stack_bins<const L: usize, const N: usize, G: Grid>(
     stack_bins_with::<Portable, L, N, G>(stack, cos_theta, panels, share)
 }
 
-/// [`stack_bins`] on another math backend.
+/// Computes the mean over each bin of one share of a [`Stack`], on the math backend `M`.
+///
+/// [`stack_bins`] does the same without naming a backend; see the [example](stack_bins#example) there.
 #[must_use]
 pub fn stack_bins_with<M: Math, const L: usize, const N: usize, G: Grid>(
     stack: impl Fn(f32) -> Stack<L>,

@@ -1,4 +1,4 @@
-//! Where light goes at a film: back, through, or into heat.
+//! The shares of light that a film reflects, transmits and absorbs.
 
 use crate::geometry::gauss_legendre::nodes_and_weights;
 use crate::grid::Grid;
@@ -6,33 +6,52 @@ use crate::spectrum::{Factor, Spectrum};
 
 static GAUSS: [(f32, f32); 3] = nodes_and_weights();
 
-/// What becomes of light that meets a film, as shares of its power: they sum to 1.
+/// The shares of the incident power that a film or a slab reflects, transmits and absorbs; they sum to 1.
+///
+/// They are returned for s and p polarized light by [`ThinFilm::at`](crate::matter::ThinFilm::at) and
+/// [`Stack::at`](crate::matter::Stack::at); [`mean`](Self::mean) makes one of both.
+///
+/// # Example
+///
+/// ```
+/// # #[cfg(feature = "libm")] {
+/// use nanospectra::matter::{PowerShares, ThinFilm};
+/// // A quarter of a wave of MgF2 on a lens, for light at normal incidence.
+/// let coating = ThinFilm::new([1.0, 1.38, 1.52], 550.0 / (4.0 * 1.38));
+/// let shares = PowerShares::mean(coating.at(550.0, 1.0));
+/// assert!((shares.reflected - 0.0126).abs() < 1e-5);
+/// assert!((shares.transmitted - 0.9874).abs() < 1e-5);
+/// assert_eq!(shares.absorbed, 0.0);
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PowerShares {
-    /// Reflectance, 0..=1.
+    /// The share of the power that is reflected, 0..=1. See the [example](#example).
     pub reflected: f32,
-    /// Transmittance into the last medium, 0..=1; power, so the ratio of indices and cosines is in it.
+    /// The share of the power that is transmitted into the last medium, 0..=1. It is a share of power, so the
+    /// ratio of the indices and cosines is included. See the [example](#example).
     pub transmitted: f32,
-    /// What the layers absorb, 0..=1.
+    /// The share of the power that the layers absorb, 0..=1. See the [example](#example).
     pub absorbed: f32,
 }
 
 impl PowerShares {
     pub(super) const MIRROR: Self = PowerShares { reflected: 1.0, transmitted: 0.0, absorbed: 0.0 };
-    /// All goes on: there is nothing in the way.
+    /// The shares where there is no film: all light goes on.
     pub(super) const NOTHING: Self = PowerShares { reflected: 0.0, transmitted: 1.0, absorbed: 0.0 };
-    /// Of what is no film.
+    /// The shares of something that is not a film.
     pub(super) const NAN: Self =
         PowerShares { reflected: f32::NAN, transmitted: f32::NAN, absorbed: f32::NAN };
 
-    /// The mean of both polarizations: unpolarized light.
+    /// Returns the mean of both polarizations, which holds for unpolarized light. See the
+    /// [example](#example).
     #[must_use]
     pub fn mean([s, p]: [Self; 2]) -> Self {
         s.plus(p).times(0.5)
     }
 
-    /// Rounding may have gone beyond what a share can be.
+    /// Clamps all shares to 0..=1, beyond which rounding may have gone.
     pub(super) fn held(self) -> Self {
         let PowerShares { reflected, transmitted, absorbed } = self;
         let held = |share: f32| share.clamp(0.0, 1.0);
@@ -77,7 +96,7 @@ impl PowerShares {
     }
 }
 
-/// A pair of spectra, of s and p polarized light, from what lies between the edges of each bin.
+/// A pair of spectra, for s and p polarized light, from a function of the two edges of each bin.
 pub(super) fn bins<const N: usize, G: Grid>(
     mut between: impl FnMut(f32, f32) -> [f32; 2],
 ) -> [Spectrum<Factor, N, G>; 2] {

@@ -1,4 +1,4 @@
-//! Fluorescent matter of any kind, by its bispectral matrix.
+//! Fluorescent matter of any kind, described by its bispectral matrix.
 
 use crate::grid::{Bands, Bins, Grid, by_fields};
 use crate::math::const_for;
@@ -10,20 +10,40 @@ use crate::sum::rows;
 use core::array::from_ref;
 use core::marker::PhantomData;
 
-/// Fluorescent matter of any kind: which share of the light of bin `i` leaves in bin `k`, for all `k >= i`
-/// (Donaldson's bispectral radiance factors, packed). The diagonal is the ordinary reflectance.
+/// Fluorescent matter of any kind, described by the share of the light of each bin that leaves in each bin.
 ///
-/// `P` is the number of pairs, `N * (N + 1) / 2`: `Donaldson<31, 496>`. Any other does not pass
-/// `cargo build`.
+/// It is made by [`new`](Self::new) from a measured matrix of Donaldson's bispectral radiance factors. The
+/// diagonal of the matrix is the ordinary reflectance, and only the pairs `k >= i` are stored, because light
+/// of bin `i` leaves at its own wavelength or a longer one. If your matter emits one spectrum however it is
+/// excited, a [`Dye`] is smaller and faster.
+///
+/// `P` is the number of stored pairs, `N * (N + 1) / 2`, as in `Donaldson<31, 496>`. Any other number is
+/// refused by `cargo build`.
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::matter::Donaldson;
+/// use nanospectra::{Bins, Light, Reflectance};
+///
+/// // A surface that does not fluoresce: its reflectance lies on the diagonal.
+/// type Grid = Bins<400, 700>;
+/// let gray = Donaldson::<3, 6, Grid>::from_reflectance(&Reflectance::flat(0.5));
+/// let leaving = Light::from_bins([1.0, 2.0, 4.0]).onto(&gray).collected();
+/// assert_eq!(leaving.values(), &[0.5, 1.0, 2.0]);
+/// ```
 ///
 /// # Cost
 /// `P` multiply-adds and `4 P` bytes: at 31 bins light off a matrix to XYZ takes 4900 instructions on a
-/// Cortex-M4F. Folded into the eye it takes none: a static scene with a vest in it is 327, as any other.
+/// Cortex-M4F. Combined with the observer while compiling, by
+/// [`looking_at_donaldson`](crate::Observer::looking_at_donaldson), it takes none: a static scene with a vest
+/// in it takes 327, as many as any other.
 ///
 /// # Reference
 /// R. Donaldson, "Spectrophotometry of fluorescent pigments", Brit. J. Appl. Phys. 5 (1954).
 pub struct Donaldson<const N: usize, const P: usize, G = Bins<380, 730>> {
-    /// For bin 0 what it becomes in bins 0, 1, .. N - 1; for bin 1 in 1, .. N - 1; and so on.
+    /// The shares of the light of bin 0 that leave in bins 0, 1, .. N - 1; of bin 1 in bins 1, .. N - 1; and
+    /// so on.
     columns: [f32; P],
     grid: PhantomData<fn() -> G>,
 }
@@ -36,12 +56,19 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         Donaldson { columns: [0.0; P], grid: PhantomData }
     };
 
-    /// Fluorescent matter from a measured matrix: `matrix[k][i]` is the share of the light of bin `i` that
-    /// leaves in bin `k`, as power per nm in and out.
+    /// Makes fluorescent matter from a measured matrix.
+    ///
+    /// `matrix[k][i]` is the share of the light of bin `i` that leaves in bin `k`, where both are power per
+    /// nm.
     ///
     /// # Errors
-    /// Values that are negative or not finite; any below the diagonal's wavelength (`k < i`) other than zero;
-    /// light of one bin that leaves with more energy, or as more photons, than it came.
+    /// * [`FluorescenceError::OutOfRange`]: a share is negative or not finite.
+    /// * [`FluorescenceError::AntiStokes`]: a share is not zero although light would leave at a shorter
+    ///   wavelength than it came with (`k < i`).
+    /// * [`FluorescenceError::Energy`], [`FluorescenceError::Photons`]: the light of a bin leaves with more
+    ///   energy, or as more photons, than it came with.
+    ///
+    /// # Example
     ///
     /// ```
     /// use nanospectra::matter::{Donaldson, FluorescenceError};
@@ -91,7 +118,8 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         Ok(packed)
     }
 
-    /// The matrix of a surface that does not fluoresce: its reflectance on the diagonal.
+    /// Makes the matrix of a surface that does not fluoresce, which has its reflectance on the diagonal. See
+    /// the [example](#example).
     #[must_use]
     pub const fn from_reflectance(reflectance: &Spectrum<Factor, N, G>) -> Self {
         let mut packed = Self::NONE;
@@ -103,7 +131,7 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
         packed
     }
 
-    /// The matrix of a dye, without what it emits at shorter waves than it absorbs.
+    /// Makes the matrix of a dye, but leaves out what the dye emits at shorter wavelengths than it absorbs.
     #[must_use]
     pub const fn from_dye(dye: &Dye<N, G>) -> Self {
         let mut packed = Self::from_reflectance(&dye.reflectance());
@@ -119,14 +147,15 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
 }
 
 impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
-    /// Adds to a pair. (It is one of the `P`; saying so keeps the panic out of an image.)
+    /// Adds to the share of a pair. The index is always below `P`; testing it here keeps a panic out of the
+    /// program.
     const fn add(&mut self, pair: usize, share: f32) {
         if pair < P {
             self.columns[pair] += share;
         }
     }
 
-    /// Of each bin of light, what it becomes in all bins; zero in those of shorter waves.
+    /// For each bin of light, the shares that leave in all bins: zero in those of shorter wavelengths.
     fn columns(&self) -> impl Iterator<Item = [f32; N]> {
         let mut rest = self.columns.as_slice();
         (0..N).map_while(move |i| {
@@ -145,7 +174,7 @@ impl<const N: usize, const P: usize, G> Donaldson<N, P, G> {
         const_for!(0..N, |i| {
             let mut sum = 0.0;
             const_for!(i..N, |k| {
-                // (As in `add`.)
+                // (The test is for the same reason as in `add`.)
                 if next < P {
                     sum += weights[k] as f64 * self.columns[next] as f64;
                 }
@@ -182,7 +211,7 @@ impl<const N: usize, const P: usize, G> Foldable<N, G> for Donaldson<N, P, G> {
         before
     }
 
-    /// The ordinary reflectance: the diagonal.
+    /// The ordinary reflectance, which is the diagonal of the matrix.
     fn without_effect(&self) -> Spectrum<Factor, N, G> {
         let mut diagonal = [f32::NAN; N];
         for (k, (value, column)) in diagonal.iter_mut().zip(self.columns()).enumerate() {

@@ -1,4 +1,4 @@
-//! Matter that moves light from one wavelength to another, at once or later.
+//! Fluorescent and phosphorescent matter, which emits light at other wavelengths than it absorbs.
 
 mod donaldson;
 mod dye;

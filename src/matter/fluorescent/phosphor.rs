@@ -1,4 +1,4 @@
-//! Matter that glows on after the light has gone.
+//! Phosphorescent matter, which goes on glowing when the light has gone.
 
 use crate::grid::{Bins, by_fields};
 #[cfg(feature = "libm")]
@@ -10,10 +10,13 @@ use crate::observer::Stimulus;
 use crate::price::{Effects, Price, Priced};
 use crate::spectrum::{Power, Spectrum};
 
-/// A dye that emits what it absorbed later, by one exponential decay: afterglow paint, the red of a lamp's
-/// phosphor.
+/// A dye that emits what it absorbed later, with one exponential decay, such as afterglow paint or the red
+/// phosphor of a lamp.
 ///
-/// It holds its state, the glow; as a surface in a path it is that of the moment.
+/// It holds a state, the glow. Call [`step`](Self::step) to let time go by under a light. In a
+/// [path](crate::path) it is a surface with the glow of this moment.
+///
+/// # Example
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -29,43 +32,36 @@ use crate::spectrum::{Power, Spectrum};
 /// let bright = dark.onto(&paint).collected();
 /// paint.step(&dark, 10.0);
 /// let faded = dark.onto(&paint).collected();
-/// // One lifetime later it is 1 / e of what it was.
+/// // One lifetime later it is 1 / e of what it was, and so is the glow.
 /// assert!((faded.values()[1] / bright.values()[1] - 0.3679).abs() < 1e-4);
+/// // Under a lamp that stays on, the glow grows to that of the dye.
+/// paint.step(&lamp, 1000.0);
+/// assert!((paint.glow() / paint.dye().glow_under(&lamp) - 1.0).abs() < 1e-6);
 /// # }
 /// ```
 pub struct Phosphor<const N: usize, G = Bins<380, 730>> {
     dye: Dye<N, G>,
     lifetime_s: f32,
     glow: f32,
-    /// What the last digit of `glow` left out, so that steps below it add up.
+    /// The part of the glow that is below its last digit, so that very short steps add up.
     rest: f32,
 }
 
 by_fields!([const N: usize, G] Phosphor<N, G>, "Phosphor": dye, lifetime_s, glow, rest);
 
 impl<const N: usize, G> Phosphor<N, G> {
-    /// What emits as `dye` does, dark so far; the glow falls to 1/e in `lifetime_s` seconds, zero or more.
+    /// Makes a phosphor, dark at first, that absorbs and emits as `dye` does, but later.
+    ///
+    /// In the dark the glow falls to 1/e within `lifetime_s` seconds, 0 or more. See the [example](#example).
     #[must_use]
     pub const fn new(dye: Dye<N, G>, lifetime_s: f32) -> Self {
         Phosphor { dye, lifetime_s, glow: 0.0, rest: 0.0 }
     }
 
-    /// The dye: what this would be without a memory.
-    #[must_use]
-    pub const fn dye(&self) -> &Dye<N, G> {
-        &self.dye
-    }
-
-    /// The glow of this moment: the number the emission is multiplied with.
-    #[must_use]
-    pub const fn glow(&self) -> f32 {
-        self.glow
-    }
-
-    /// Lets `duration_s` seconds (zero or more; NaN below) go by under a light that does not change.
+    /// Lets `duration_s` seconds go by under a light that does not change.
     ///
-    /// Two steps are the same as one as long as both. Light beyond what f32 can add up counts as half of
-    /// `f32::MAX`.
+    /// Two steps have the same effect as one that is as long as both. A negative duration makes the glow NaN.
+    /// A light whose glow would exceed f32 counts as half of `f32::MAX`. See the [example](#example).
     ///
     /// # Accuracy
     /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26
@@ -75,32 +71,46 @@ impl<const N: usize, G> Phosphor<N, G> {
         self.step_with::<Portable, S>(light, duration_s);
     }
 
-    /// [`step`](Self::step) by the functions of `M`.
+    /// Returns the glow of this moment, which is the factor by which the emission spectrum is multiplied. See
+    /// the [example](#example).
+    #[must_use]
+    pub const fn glow(&self) -> f32 {
+        self.glow
+    }
+
+    /// Returns the dye, which emits at once what this phosphor emits later. See the [example](#example).
+    #[must_use]
+    pub const fn dye(&self) -> &Dye<N, G> {
+        &self.dye
+    }
+
+    /// Does the same as [`step`](Self::step), on the math backend `M`.
     pub fn step_with<M: Math, S: Stimulus<Power, N, G>>(&mut self, light: S, duration_s: f32) {
         let lifetimes = match duration_s / self.lifetime_s {
-            // Without a lifetime it is there at once, and 0 / 0 is no number of lifetimes.
+            // With a lifetime of 0 the glow follows at once, and 0 / 0 would be NaN.
             _ if self.lifetime_s == 0.0 && duration_s >= 0.0 => f32::INFINITY,
             lifetimes if lifetimes >= 0.0 => lifetimes,
             _ => f32::NAN,
         };
-        // (An infinite glow would stay one, or become infinity times zero; and roundings need room.)
+        // An infinite glow would never fall, or become infinity times zero; half of the range leaves room for
+        // rounding.
         let target = self.dye.glow_under(light).clamp(0.5 * f32::MIN, 0.5 * f32::MAX);
         let share = -M::expm1(-lifetimes);
         if lifetimes < 0.5 {
-            // Short steps may be less than the last digit of the glow: what is rounded off is kept.
+            // A short step may change the glow by less than its last digit, so the remainder is kept.
             let change = target * share - (self.glow * share - self.rest);
             let glow = Double::sum(self.glow, change);
             (self.glow, self.rest) = (glow.high, glow.low);
         } else {
-            // After long ones little is left of the glow, which is no difference.
+            // After a long step little is left of the old glow, so no difference of large numbers is needed.
             self.glow = target * share + self.glow * M::exp(-lifetimes);
             self.rest = 0.0;
         }
     }
 }
 
-/// It emits the glow of this moment, whatever light falls on it. So it is not linear in the light, and does
-/// not fold.
+/// It emits with the glow of this moment, whatever light falls on it. It is therefore not linear in the light
+/// and cannot be combined with an observer ([`Foldable`](crate::matter::Foldable)).
 impl<const N: usize, G> Effect<N, G> for Phosphor<N, G> {
     #[inline]
     fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {

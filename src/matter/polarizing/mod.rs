@@ -1,4 +1,4 @@
-//! Matter that treats directions across the beam differently: mirrors, polarizers, retarders.
+//! Matter that acts differently on the two polarizations of light: mirrors, polarizers and retarders.
 
 mod mirror;
 mod mueller;

@@ -1,4 +1,4 @@
-//! Polarizers: sheets that let light of one polarization through.
+//! Polarizers, which are sheets that let light of one polarization through.
 
 use crate::grid::{Bins, by_fields};
 use crate::math::const_for;
@@ -6,28 +6,46 @@ use crate::matter::Mueller;
 use crate::matter::polarizing::mueller::along_and_across;
 use crate::spectrum::{Factor, Spectrum};
 
-/// A sheet that lets light through along one axis, its own, and not across it.
+/// A sheet that lets light through that is polarized along its axis, and stops light polarized across it.
+///
+/// Make it by [`ideal`](Self::ideal), or from measured transmittances by [`new`](Self::new).
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::matter::Polarizer;
+/// use nanospectra::{Light, Reflectance};
+///
+/// // Two perfect sheets at 30 degrees: half of the light gets through the first, and by Malus's law
+/// // cos^2(30 degrees) of that through the second.
+/// let (first, second) = (Polarizer::<31>::ideal(0.0), Polarizer::ideal(30.0 / 360.0));
+/// let lamp = Light::flat(1.0);
+/// let [i, ..] = lamp.polarized().through(&first).through(&second).stokes_at(0);
+/// assert!((i - 0.5 * 0.75).abs() < 1e-6);
+///
+/// // A real sheet passes 80 % along its axis and 2 % across it: 41 % of unpolarized light.
+/// let real = Polarizer::new(&Reflectance::<31>::flat(0.8), &Reflectance::flat(0.02), 0.0);
+/// let [i, q, ..] = Light::flat(1.0).polarized().through(&real).stokes_at(0);
+/// assert!((i - 0.41).abs() < 1e-6 && (q - 0.39).abs() < 1e-6);
+/// ```
 pub struct Polarizer<const N: usize, G = Bins<380, 730>>(Mueller<N, G>);
 
 by_fields!([const N: usize, G] Polarizer<N, G>, "Polarizer": 0);
 
 impl<const N: usize, G> Polarizer<N, G> {
-    /// The Mueller matrix.
-    #[must_use]
-    #[inline]
-    pub const fn mueller(&self) -> &Mueller<N, G> {
-        &self.0
-    }
-
-    /// A perfect polarizer, which passes all light along its axis and none across it; the axis is in turns
-    /// from the reference direction.
+    /// Makes a perfect polarizer, which passes all light along its axis and none across it.
+    ///
+    /// `axis_turns` is the angle of the axis, in turns from the reference direction of the light. See the
+    /// [example](#example).
     #[must_use]
     pub const fn ideal(axis_turns: f32) -> Self {
         Polarizer(Mueller::new([[0.5, 0.5, 0.0, 0.0]; N], axis_turns))
     }
 
-    /// A real polarizer, from its transmittances for light along its axis and across it, 0..=1 (below: 0);
-    /// the axis as for [`ideal`](Self::ideal).
+    /// Makes a real polarizer from its transmittances for light polarized along its axis and across it.
+    ///
+    /// Both are 0..=1; a negative one counts as 0. The axis is as for [`ideal`](Self::ideal). See the
+    /// [example](#example).
     #[must_use]
     pub const fn new(
         along: &Spectrum<Factor, N, G>,
@@ -40,5 +58,12 @@ impl<const N: usize, G> Polarizer<N, G> {
             elements[k] = [a, b, both, 0.0];
         });
         Polarizer(Mueller::new(elements, axis_turns))
+    }
+
+    /// Returns the Mueller matrix of this polarizer, one for each bin.
+    #[must_use]
+    #[inline]
+    pub const fn mueller(&self) -> &Mueller<N, G> {
+        &self.0
     }
 }

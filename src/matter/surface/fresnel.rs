@@ -1,72 +1,91 @@
-//! What a smooth boundary reflects and lets in: Fresnel's equations for one wavelength.
+//! Fresnel's equations: what a smooth boundary reflects and lets in, for one wavelength.
 
 use crate::math::Complex;
 use crate::math::{at_least, at_most, sqrt};
 
-/// One number for each polarization.
+/// A pair of numbers that holds one for each polarization, such as the two reflectances of a boundary.
+///
+/// [`unpolarized`](Self::unpolarized) makes one number of both. See the [example](Dielectric#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Components {
-    /// The field at right angles to the plane of incidence (senkrecht).
+    /// The number that belongs to the field at right angles to the plane of incidence (German: senkrecht).
     pub s: f32,
-    /// The field within the plane of incidence (parallel).
+    /// The number that belongs to the field in the plane of incidence (parallel).
     pub p: f32,
 }
 
 impl Components {
-    /// The same for both.
-    #[must_use]
-    pub const fn both(value: f32) -> Self {
-        Components { s: value, p: value }
-    }
-
-    /// The mean: what holds for unpolarized light.
+    /// Returns the mean of both, which holds for unpolarized light. See the [example](Dielectric#example).
     #[must_use]
     pub const fn unpolarized(self) -> f32 {
         0.5 * (self.s + self.p)
     }
+
+    /// Makes a pair that has the same number for both polarizations.
+    #[must_use]
+    pub const fn both(value: f32) -> Self {
+        Components { s: value, p: value }
+    }
 }
 
-/// Squares of indices and their inverses stay in range up to here; no matter comes near.
+/// Up to here squares of indices and their inverses stay in the range of f32; no real matter comes near.
 const LARGEST_INDEX: f32 = 1e15;
 
-/// A boundary to a transparent medium: glass, water, and air as seen from within them.
+/// A smooth boundary to a transparent medium: glass, water, or air as seen from within them.
 ///
-/// `V` is the relative refractive index eta = n2 / n1, where light comes from medium 1: an `f32`, or a
+/// [`fresnel`](Self::fresnel) gives the reflectances for both polarizations, and
+/// [`reflectance`](crate::matter::Reflector::reflectance) that for unpolarized light. `V` is the type of the
+/// relative refractive index eta = n2 / n1, where light comes from medium 1: `f32`, or a
 /// [`Spectrum`](crate::Spectrum) of [`RefractiveIndex`](crate::RefractiveIndex) for a glass that disperses.
 ///
+/// # Example
+///
 /// ```
-/// # use nanospectra::matter::Dielectric;
+/// use nanospectra::matter::Dielectric;
 /// let glass = Dielectric::new(1.5);
-/// assert!((glass.fresnel(1.0).s - 0.04).abs() < 1e-8); // 4 % at normal incidence
-/// let brewster = glass.fresnel(0.554_700_2); // 56.31 degrees
+/// // ((1.5 - 1) / (1.5 + 1))^2 = 4 % are reflected at normal incidence, and 96 % enter.
+/// assert!((glass.fresnel(1.0).unpolarized() - 0.04).abs() < 1e-8);
+/// assert!((glass.entering(1.0).unpolarized() - 0.96).abs() < 1e-7);
+/// // At Brewster's angle, 56.31 degrees, no p polarized light is reflected.
+/// let brewster = glass.fresnel(0.554_700_2);
 /// assert!((brewster.s - 0.147_929).abs() < 1e-6 && brewster.p < 1e-12);
+/// // From within the glass, all light is reflected beyond 41.8 degrees.
+/// assert_eq!(Dielectric::new(1.0 / 1.5).fresnel(0.7).unpolarized(), 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dielectric<V = f32> {
-    /// The relative refractive index n2 / n1.
+    /// The refractive index of the second medium relative to the one that light comes from, n2 / n1.
     pub eta: V,
 }
 
-/// A boundary to an absorbing medium, a metal above all, of complex relative index eta + i k.
+/// A smooth boundary to an absorbing medium, above all a metal, whose relative refractive index is eta + i k.
 ///
-/// `V` is `f32`, or a [`Spectrum`](crate::Spectrum) of [`RefractiveIndex`](crate::RefractiveIndex).
+/// [`fresnel`](Self::fresnel) gives the reflectances for both polarizations, and
+/// [`reflectance`](crate::matter::Reflector::reflectance) that for unpolarized light. `V` is the type of both
+/// parts of the index: `f32`, or a [`Spectrum`](crate::Spectrum) of
+/// [`RefractiveIndex`](crate::RefractiveIndex).
+///
+/// # Example
 ///
 /// ```
-/// # use nanospectra::matter::Conductor;
+/// use nanospectra::matter::Conductor;
 /// let copper_in_green = Conductor::new(1.15, 2.56);
+/// // ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2) is reflected at normal incidence, and the rest absorbed.
 /// assert!((copper_in_green.fresnel(1.0).s - 0.588_407).abs() < 1e-6);
+/// assert!((copper_in_green.entering(1.0).s - 0.411_593).abs() < 1e-6);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conductor<V = f32> {
-    /// The real part n2 / n1.
+    /// The real part of the index, relative to the medium that light comes from, n2 / n1.
     pub eta: V,
-    /// The extinction coefficient k2 / n1, at least 0.
+    /// The extinction coefficient k2 / n1, at least 0, which says how strongly the medium absorbs.
     pub k: V,
 }
 
 impl<V> Dielectric<V> {
-    /// `eta` is n2 / n1: above 1 going into glass, below 1 coming out of it.
+    /// Makes a boundary from the relative refractive index n2 / n1, which is above 1 where light goes into
+    /// glass and below 1 where it comes out. See the [example](#example).
     #[must_use]
     pub const fn new(eta: V) -> Self {
         Dielectric { eta }
@@ -74,7 +93,8 @@ impl<V> Dielectric<V> {
 }
 
 impl<V> Conductor<V> {
-    /// The index is `eta` + i `k`, relative to the (transparent) medium the light comes from.
+    /// Makes a boundary from the index `eta` + i `k`, relative to the transparent medium that light comes
+    /// from. See the [example](#example).
     #[must_use]
     pub const fn new(eta: V, k: V) -> Self {
         Conductor { eta, k }
@@ -82,14 +102,15 @@ impl<V> Conductor<V> {
 }
 
 impl Dielectric {
-    /// The shares of power reflected, 0..=1, at the cosine of the angle of incidence.
+    /// Computes the shares of power that are reflected, 0..=1, for s and p polarized light.
     ///
-    /// A cosine outside 0..=1 counts as the nearer end, an index below 0 as 0. Beyond the critical angle all
-    /// is reflected. Equal media (`eta` = 1) reflect nothing, at grazing incidence too.
+    /// `cos_i` is the cosine of the angle of incidence; outside 0..=1 it counts as the nearer end, and an
+    /// index below 0 counts as 0. Beyond the critical angle all light is reflected. Equal media (`eta` = 1)
+    /// reflect nothing, even at grazing incidence. See the [example](#example).
     ///
     /// # Accuracy
     /// For s 14 units of 2^-24, relative, however little the media differ
-    /// (`tests/matter/hard_cases_surfaces.rs`), and for p 4e-7 absolute. Below the critical angle the
+    /// (`tests/matter/hard_cases_surfaces.rs`), and for p 4e-7 absolute. Just below the critical angle the
     /// rounding of the cosine costs up to 1.2e-5.
     ///
     /// # Reference
@@ -106,10 +127,11 @@ impl Dielectric {
         }
     }
 
-    /// The shares of power that enter the second medium, by formulas that hold where 1 - R is all rounding.
+    /// Computes the shares of power that enter the second medium, for s and p polarized light.
     ///
+    /// The formulas stay accurate where nearly all light is reflected and 1 - R would be rounding error.
     /// Radiance is per solid angle, which refraction changes: in the second medium it is eta^2 times this
-    /// share of what arrived.
+    /// share of the radiance that arrived. See the [example](#example).
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         match self.ratios(cos_i) {
@@ -124,7 +146,8 @@ impl Dielectric {
         if root2 <= 0.0 { 0.0 } else { at_most(sqrt(root2) / (eta * scale), 1.0) }
     }
 
-    /// The amplitudes of the reflected field over the incoming one; complex beyond the critical angle.
+    /// Computes the amplitudes of the reflected field relative to the incoming one, which are complex beyond
+    /// the critical angle. See the [example](Amplitudes::retardation).
     #[must_use]
     pub fn amplitudes(&self, cos_i: f32) -> Amplitudes {
         let Setup { cosine, sine2, scale, contrast, root2, .. } = Setup::of(self.eta, cos_i);
@@ -133,9 +156,10 @@ impl Dielectric {
         reflect(cosine, sine2, scale, Complex { re: contrast, im: 0.0 }, root)
     }
 
-    /// What s and p have in common, or what is reflected where there is nothing to work out.
+    /// The intermediate values that s and p have in common, or what is reflected where nothing is to be
+    /// computed.
     fn ratios(&self, cos_i: f32) -> Result<Ratios, Components> {
-        // Before the test for total reflection, which at grazing incidence would also be true.
+        // This comes before the test for total reflection, which at grazing incidence would also be true.
         if self.eta == 1.0 {
             return Err(Components::both(0.0 * cos_i));
         }
@@ -154,7 +178,8 @@ impl Dielectric {
     }
 }
 
-/// Of a dielectric: eta^2 - 1 and cos_i + g in units that cannot overflow, the power that enters, r_p / r_s.
+/// The intermediate values of a dielectric: eta^2 - 1 and cos_i + g in units that cannot overflow, the power
+/// that enters, and r_p / r_s.
 struct Ratios {
     contrast: f32,
     sum: f32,
@@ -162,7 +187,7 @@ struct Ratios {
     crossed: f32,
 }
 
-/// Of a dielectric, with g = eta cos_t = sqrt(eta^2 - sin^2): indices times `scale`.
+/// The quantities of a dielectric, with g = eta cos_t = sqrt(eta^2 - sin^2) and indices times `scale`.
 struct Setup {
     eta: f32,
     cosine: f32,
@@ -185,14 +210,15 @@ impl Setup {
 }
 
 impl Conductor {
-    /// The shares of power reflected, 0..=1, at the cosine of the angle of incidence.
+    /// Computes the shares of power that are reflected, 0..=1, for s and p polarized light.
     ///
-    /// A cosine outside 0..=1 counts as the nearer end, a part of the index below 0 as 0.
+    /// `cos_i` is the cosine of the angle of incidence; outside 0..=1 it counts as the nearer end, and a part
+    /// of the index below 0 counts as 0. See the [example](#example).
     ///
     /// # Accuracy
-    /// For s 14 units of 2^-24, relative, and for p 5e-7 absolute (`tests/matter/hard_cases_surfaces.rs`),
-    /// but for media of n < 1 and k below 0.01: they have a critical angle, near which what f32 can say of
-    /// the angle costs up to 3e-5. Within 0..=1 for every finite index.
+    /// For s 14 units of 2^-24, relative, and for p 5e-7 absolute (`tests/matter/hard_cases_surfaces.rs`).
+    /// Media of n < 1 and k below 0.01 are an exception: they have a critical angle, near which the rounding
+    /// of the cosine costs up to 3e-5. Within 0..=1 for every finite index.
     ///
     /// # Reference
     /// M. Born, E. Wolf, "Principles of Optics", section 14.2.
@@ -209,12 +235,14 @@ impl Conductor {
         Components { s: rest(s, entering.s), p: rest(s * crossed, entering.p) }
     }
 
-    /// The shares of power that enter and are absorbed, by formulas that hold where 1 - R is all rounding
-    /// (silver).
+    /// Computes the shares of power that enter and are absorbed, for s and p polarized light.
+    ///
+    /// The formulas stay accurate where nearly all light is reflected, as by silver, and 1 - R would be
+    /// rounding error. See the [example](#example).
     ///
     /// # Accuracy
-    /// 12 units of 2^-24, relative; by the cosine's rounding hundreds near a critical angle (n < 1, k below
-    /// 0.01).
+    /// 12 units of 2^-24, relative. Near a critical angle (n < 1, k below 0.01) the rounding of the cosine
+    /// makes that hundreds.
     #[must_use]
     pub fn entering(&self, cos_i: f32) -> Components {
         let Metal { cosine, sine2, scale, contrast, root } = Metal::of(self, cos_i);
@@ -229,7 +257,7 @@ impl Conductor {
         Components { s: at_most(s, 1.0), p: at_most(p, 1.0) }
     }
 
-    /// The amplitudes of the reflected field over the incoming one.
+    /// Computes the amplitudes of the reflected field relative to the incoming one.
     #[must_use]
     pub fn amplitudes(&self, cos_i: f32) -> Amplitudes {
         let Metal { cosine, sine2, scale, contrast, root } = Metal::of(self, cos_i);
@@ -237,7 +265,7 @@ impl Conductor {
     }
 }
 
-/// Of a conductor, with g = sqrt((eta + i k)^2 - sin^2): indices times `scale`.
+/// The quantities of a conductor, with g = sqrt((eta + i k)^2 - sin^2) and indices times `scale`.
 struct Metal {
     cosine: f32,
     sine2: f32,
@@ -256,7 +284,7 @@ impl Metal {
         let cross = n1 * k1;
         let contrast = Complex { re: ((n - 1.0) * scale) * ((n + 1.0) * scale) - k1 * k1, im: 2.0 * cross };
         let square = root_squared([n, k], contrast.re, cosine, scale);
-        // The part of the root that does not cancel first.
+        // First the part of the root that does not cancel.
         let size = sqrt(square * square + 4.0 * (cross * cross));
         let large = sqrt(0.5 * (size + square.abs()));
         let small = if large == 0.0 { 0.0 } else { cross / large };
@@ -265,8 +293,8 @@ impl Metal {
     }
 }
 
-/// eta^2 - k^2 - sin^2, the real part of g^2: from eta^2 - k^2 - 1 (`contrast`) or from the sine, where less
-/// cancels.
+/// The real part of g^2, eta^2 - k^2 - sin^2, computed from eta^2 - k^2 - 1 (`contrast`) or from the sine,
+/// whichever cancels less.
 fn root_squared([n, k]: [f32; 2], contrast: f32, cosine: f32, scale: f32) -> f32 {
     if n > 0.7 {
         return contrast + (cosine * scale) * (cosine * scale);
@@ -278,13 +306,13 @@ fn root_squared([n, k]: [f32; 2], contrast: f32, cosine: f32, scale: f32) -> f32
 /// r_s = -(eta^2 - 1) / (cos_i + g)^2 and r_p = -r_s (cos_i g - sin^2) / (cos_i g + sin^2).
 fn reflect(cosine: f32, sine2: f32, scale: f32, contrast: Complex, root: Complex) -> Amplitudes {
     if contrast.power() == 0.0 {
-        // No boundary: nothing, at grazing incidence too.
+        // Without a boundary nothing is reflected, not even at grazing incidence.
         let none = Complex { re: 0.0 * cosine, im: 0.0 };
         return Amplitudes { s: none, p: none };
     }
     let sum = root.plus(cosine * scale);
     if sum.power() < 1e-30 {
-        // Grazing, where squares underflow.
+        // At grazing incidence squares underflow.
         let all = Complex { re: -1.0, im: 0.0 };
         return Amplitudes { s: all, p: all };
     }
@@ -292,7 +320,7 @@ fn reflect(cosine: f32, sine2: f32, scale: f32, contrast: Complex, root: Complex
     let s = contrast.over(sum).over(sum).times(-1.0);
     let both = product.plus(sine2 * scale);
     let crossed = if both.power() < 1e-30 {
-        // Normal incidence on next to no index: p is as s.
+        // At normal incidence on an index close to 0, p is as s.
         Complex { re: 1.0, im: 0.0 }
     } else {
         product.plus(-sine2 * scale).over(both)
@@ -300,32 +328,38 @@ fn reflect(cosine: f32, sine2: f32, scale: f32, contrast: Complex, root: Complex
     Amplitudes { s, p: s.times(-1.0) * crossed }
 }
 
-/// The amplitudes of both components after reflection.
+/// The complex amplitudes that both components of the field have after reflection, for an incoming one of 1.
 ///
-/// The time factor is exp(-i omega t). (s, p, direction of travel) is right-handed before and after: at
-/// normal incidence p = -s, and so a mirror at normal incidence turns the hand.
+/// They are returned by [`Dielectric::amplitudes`] and [`Conductor::amplitudes`]; see the
+/// [example](Self::retardation). The time factor is exp(-i omega t). The axes s, p and the direction of
+/// travel are right-handed before and after the reflection. At normal incidence p is therefore -s, and the
+/// mirror reverses the handedness of circularly polarized light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Amplitudes {
-    /// At right angles to the plane of incidence.
+    /// The amplitude of the field that vibrates at right angles to the plane of incidence.
     pub s: Complex,
-    /// Within the plane of incidence.
+    /// The amplitude of the field that vibrates in the plane of incidence.
     pub p: Complex,
 }
 
 impl Amplitudes {
-    /// The shares of power.
+    /// Returns the shares of power that are reflected, the squares of the absolute amplitudes.
     #[must_use]
     pub fn power(self) -> Components {
         Components { s: self.s.power(), p: self.p.power() }
     }
 
-    /// r_p times the conjugate of r_s: sqrt(R_s R_p) times the cosine (`re`) and sine (`im`) of the phase by
-    /// which p is ahead of s: two of the four numbers of a mirror's Mueller matrix.
+    /// Returns r_p times the conjugate of r_s, which tells by which phase p is ahead of s.
+    ///
+    /// It is sqrt(R_s R_p) times the cosine (`re`) and the sine (`im`) of this phase. These are two of the
+    /// four numbers of a mirror's [Mueller matrix](crate::matter::Mueller).
+    ///
+    /// # Example
     ///
     /// ```
     /// # use nanospectra::matter::Dielectric;
-    /// // A Fresnel rhomb of n = 1.51: 54.617 degrees retard by 45, and two such reflections by 90.
+    /// // In a Fresnel rhomb of n = 1.51 a reflection at 54.617 degrees retards by 45 degrees.
     /// let within = Dielectric::new(1.0 / 1.51).amplitudes(0.579_035).retardation();
     /// assert!((within.re.abs() - 0.707_107).abs() < 1e-4 && (within.im.abs() - 0.707_107).abs() < 1e-4);
     /// ```
@@ -335,7 +369,7 @@ impl Amplitudes {
     }
 }
 
-/// What is reflected: near 1 the remainder of what enters is the better number.
+/// The share that is reflected; near 1 it is more accurate as the remainder of the share that enters.
 fn rest(reflected: f32, entering: f32) -> f32 {
     if entering < 0.5 { 1.0 - entering } else { reflected }
 }
@@ -349,7 +383,7 @@ fn scale(index: f32) -> f32 {
     if index > 1e6 { 1.0 / index } else { 1.0 }
 }
 
-/// A cosine of incidence within 0..=1; NaN stays.
+/// The cosine of incidence clamped to 0..=1; NaN stays NaN.
 pub(crate) fn cosine(cos_i: f32) -> f32 {
     at_most(at_least(cos_i, 0.0), 1.0)
 }

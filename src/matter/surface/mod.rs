@@ -1,4 +1,4 @@
-//! Surfaces: what a smooth boundary reflects and lets in, and the BRDFs of smooth, rough and matt ones.
+//! Surfaces: what a smooth boundary reflects and lets in, and the BRDFs of smooth, rough and matt surfaces.
 
 mod brdf;
 mod fresnel;

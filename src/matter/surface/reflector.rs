@@ -1,28 +1,36 @@
-//! What a boundary reflects at an angle: the factor in front of mirrors and microfacets, as numbers or
-//! spectra.
+//! The share that a boundary reflects at an angle, as a number or a spectrum: the factor that mirrors and
+//! microfacets apply.
 
 use crate::geometry::Integrand;
 use crate::grid::Bands;
 use crate::matter::surface::fresnel::{Conductor, Dielectric};
 use crate::spectrum::{Factor, RefractiveIndex, Spectrum};
 
-/// The share of unpolarized light that a smooth boundary reflects at a cosine of incidence.
+/// A smooth boundary that reflects a share of unpolarized light, depending on the angle of incidence.
 ///
-/// A plain number or a [`Reflectance`](crate::Reflectance) is one that does not depend on the angle: 1.0 for
-/// the perfect mirror.
+/// [`Dielectric`], [`Conductor`] and a film on a grid
+/// ([`ThinFilm::on_grid`](crate::matter::ThinFilm::on_grid)) are boundaries. A plain number or a
+/// [`Reflectance`](crate::Reflectance) is one that does not depend on the angle, such as 1.0 for the perfect
+/// mirror. [`Microfacet`](crate::matter::Microfacet) and [`Smooth`](crate::matter::Smooth) make surfaces of
+/// them.
+///
+/// # Example
 ///
 /// ```
-/// # use nanospectra::{Bins, Nodes, matter::{Dielectric, Glass, N_BK7, Reflector}};
-/// // A face of a window: 4.2 % in the visible, a little more in blue.
+/// use nanospectra::{Bins, Nodes, matter::{Dielectric, Glass, N_BK7, Reflector}};
+/// // A face of a window reflects 4.2 % in the visible range, and a little more in blue.
 /// let Some(eta) = N_BK7.indices::<31, Nodes<400, 700>>() else { return };
 /// let r = Dielectric::new(eta).reflectance(1.0);
 /// assert!((r.values()[0] - 0.0440).abs() < 1e-4 && (r.values()[30] - 0.0417).abs() < 1e-4);
 /// ```
 pub trait Reflector {
-    /// A number, or a spectrum.
+    /// The type of the reflectance: a number, or a spectrum that holds one for each bin.
     type Value: Integrand;
 
-    /// The reflectance, 0..=1, at the cosine of the angle of incidence (below 0 and above 1: the nearer end).
+    /// Computes the reflectance for unpolarized light, 0..=1.
+    ///
+    /// `cos_i` is the cosine of the angle of incidence; below 0 or above 1 it counts as the nearer end. See
+    /// the [example](#example).
     fn reflectance(&self, cos_i: f32) -> Self::Value;
 }
 

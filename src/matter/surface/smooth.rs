@@ -1,26 +1,32 @@
-//! Mirrors: smooth boundaries as surfaces.
+//! Smooth boundaries as surfaces, which reflect in one direction only.
 
 use crate::geometry::{Direction, Integrand};
 use crate::matter::surface::brdf::Brdf;
 use crate::matter::surface::reflector::Reflector;
 use crate::matter::surface::scattering::Quadrature;
 
-/// A smooth surface: a mirror of metal, the face of a glass.
+/// A smooth surface that reflects as a mirror does, such as polished metal or the face of a glass.
 ///
-/// All it reflects goes in one direction, so its BRDF is 0 everywhere else and integrals go by [`Specular`].
+/// It holds a [`Reflector`]. All light that it reflects goes in one direction, so its BRDF is 0 everywhere,
+/// and integrals over it take the rule [`Specular`].
+///
+/// # Example
 ///
 /// ```
-/// # use nanospectra::matter::{Dielectric, Smooth, Specular, scattering::scattered};
-/// # use nanospectra::geometry::Direction;
-/// // A lamp of radiance 100 mirrored in a window at 60 degrees.
+/// use nanospectra::matter::{Dielectric, Smooth, Specular, scattering::scattered};
+/// use nanospectra::geometry::Direction;
+/// // A lamp of radiance 100 that is mirrored in a window at 60 degrees, where glass reflects 8.9 %.
 /// let wo = Direction::spherical(1.047_197_6, 0.0);
-/// let lo = scattered(&Smooth(Dielectric::new(1.5)), wo, &Specular, |wi| if wi.x() < 0.0 { 100.0 } else { 0.0 });
+/// let lamp = |wi: Direction| if wi.x() < 0.0 { 100.0 } else { 0.0 };
+/// let lo = scattered(&Smooth(Dielectric::new(1.5)), wo, &Specular, lamp);
 /// assert!((lo - 8.919).abs() < 1e-3);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smooth<F>(pub F);
 
-/// The rule for [`Smooth`]: the one direction of mirrors.
+/// The quadrature rule for [`Smooth`] surfaces, whose only node is the direction of the mirror image.
+///
+/// See the [example](Smooth#example).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Specular;
 

@@ -1,4 +1,4 @@
-//! Volumes that absorb and scatter: glass and liquids, slabs, skin and milk, air.
+//! Volumes that absorb and scatter light: glass and liquids, slabs, skin and milk, and air.
 
 mod absorption;
 mod diffuse_fresnel;

@@ -1,5 +1,5 @@
-//! Light that enters skin, milk or marble at one point and leaves at another: the reflectance profiles of
-//! Burley and of the classical dipole.
+//! Reflectance profiles of matter such as skin, milk or marble, where light enters at one point and leaves at
+//! another: those of Burley and of the classical dipole.
 
 use crate::grid::{Bands, Bins};
 #[cfg(feature = "libm")]
@@ -11,21 +11,38 @@ use crate::matter::volume::diffuse_fresnel::{
 use crate::spectrum::{Factor, Reflectance, Spectrum};
 use core::f32::consts::PI;
 
-/// How light falls on the surface, and which mean free path is known: the three fits of Christensen and
-/// Burley 2015.
+/// The choice among the three fits of Christensen and Burley 2015, which depends on how light falls on the
+/// surface and on which mean free path is known.
+///
+/// Give it to [`Burley::from_mean_free_path`].
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::matter::BurleyFit;
+/// // At an albedo of 0.8 the mean free path is divided by 1.85 - 0.8 for a narrow beam.
+/// assert!((BurleyFit::Beam.scaling(0.8) - 1.05).abs() < 1e-6);
+/// assert!((BurleyFit::Diffuse.scaling(0.8) - 1.1).abs() < 1e-6);
+/// assert!((BurleyFit::DiffusePath.scaling(0.33) - 3.5).abs() < 1e-6);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BurleyFit {
-    /// A narrow beam at right angles; the volume mean free path.
+    /// Light falls in as a narrow beam at normal incidence, and the volume mean free path is known. See the
+    /// [example](#example).
     Beam,
-    /// Light from all sides, refracted; the volume mean free path.
+    /// Light falls in from all sides and is refracted, and the volume mean free path is known. See the
+    /// [example](#example).
     Diffuse,
-    /// The diffuse mean free path, which is measured on the surface.
+    /// The diffuse mean free path is known, which is measured on the surface. See the [example](#example).
     DiffusePath,
 }
 
 impl BurleyFit {
-    /// What a mean free path is divided by to get Burley's d, for a surface albedo of 0..=1.
+    /// Returns the number by which a mean free path is divided to get Burley's d, for a surface albedo of
+    /// 0..=1.
+    ///
+    /// See the [example](#example).
     ///
     /// # Reference
     /// Christensen and Burley 2015, "Approximate reflectance profiles for efficient subsurface scattering",
@@ -41,19 +58,29 @@ impl BurleyFit {
     }
 }
 
-/// Burley's normalized diffusion: R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r), with an albedo A, which is
-/// its integral over the surface, and a distance d for each bin. Where d is 0, light leaves where it entered:
-/// Lambert.
+/// Burley's profile of normalized diffusion, which tells how far from where light entered a translucent
+/// material it leaves.
 ///
-/// Lengths are in m (or in any one unit).
+/// The profile is R(r) = A (exp(-r/d) + exp(-r/3d)) / (8 pi d r) with an albedo A and a distance d for each
+/// bin; its integral over the surface is A. Make it by [`new`](Self::new) or from mean free paths, evaluate
+/// it by [`times_radius`](Self::times_radius), and place samples with
+/// [`burley_distance`]. Where d is 0, light leaves where it entered, as from a
+/// [`Lambert`](crate::matter::Lambert) surface. Lengths are in m (or all in another unit).
+///
+/// # Example
 ///
 /// ```
 /// # #[cfg(feature = "libm")] {
 /// use nanospectra::Reflectance;
 /// use nanospectra::matter::Burley;
 /// let skin = Burley::<16>::new(Reflectance::flat(0.6), [1e-3; 16]);
-/// // Within a distance of 3 d: A (1 - exp(-3) / 4 - 3 exp(-1) / 4).
+/// // Within a distance of 3 d leaves A (1 - exp(-3) / 4 - 3 exp(-1) / 4).
 /// assert!((skin.within(3e-3).values()[0] - 0.6 * 0.711_64).abs() < 1e-5);
+/// // r R(r) at r = 0 is 2 A / (8 pi d).
+/// assert!((skin.times_radius(0.0).values()[0] - 47.746).abs() < 1e-2);
+/// // All that leaves is the albedo.
+/// assert_eq!(skin.reflectance().values(), &[0.6; 16]);
+/// assert_eq!(skin.distance(), &[1e-3; 16]);
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -63,13 +90,26 @@ pub struct Burley<const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, G: Bands> Burley<N, G> {
-    /// A profile from the albedo, 0..=1, and the distance d >= 0 of each bin, in m.
+    /// Makes a profile from the albedo, 0..=1, and the distance d of each bin, 0 or more, in m. See the
+    /// [example](#example).
     #[must_use]
     pub const fn new(albedo: Reflectance<N, G>, distance: [f32; N]) -> Self {
         Burley { albedo, distance }
     }
 
-    /// From the albedo and the mean free path >= 0 of each bin.
+    /// Makes a profile from the albedo, 0..=1, and the mean free path of each bin, 0 or more, in m.
+    ///
+    /// `by` says how light falls in and which mean free path it is.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use nanospectra::Reflectance;
+    /// use nanospectra::matter::{Burley, BurleyFit};
+    /// // At an albedo of 0.8 a mean free path of 1.05 mm makes a distance of 1 mm.
+    /// let wax = Burley::<16>::from_mean_free_path(Reflectance::flat(0.8), [1.05e-3; 16], BurleyFit::Beam);
+    /// assert!((wax.distance()[0] - 1e-3).abs() < 1e-8);
+    /// ```
     #[must_use]
     pub fn from_mean_free_path(albedo: Reflectance<N, G>, path: [f32; N], by: BurleyFit) -> Self {
         let mut distance = path;
@@ -79,21 +119,24 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         Burley { albedo, distance }
     }
 
-    /// The distance d of each bin.
+    /// Computes the share of the light that leaves within the distance `r` from where it entered, 0..=albedo.
+    ///
+    /// This is the integral of the profile over that disk. `r` is 0 or more; otherwise the result is NaN. A
+    /// bin with d = 0 gives its albedo at any `r`. See the [example](#example).
+    ///
+    /// # Accuracy
+    /// 4 units of 2^-24, relative.
+    #[cfg(feature = "libm")]
     #[must_use]
-    pub const fn distance(&self) -> &[f32; N] {
-        &self.distance
+    pub fn within(&self, r: f32) -> Spectrum<Factor, N, G> {
+        self.within_with::<Portable>(r)
     }
 
-    /// All that leaves: the albedo.
-    #[must_use]
-    pub const fn reflectance(&self) -> Reflectance<N, G> {
-        self.albedo
-    }
-
-    /// r R(r), in 1/m, at `r` >= 0 (else NaN) from where light entered; 2 pi times this leaves from a ring,
-    /// for each meter of its width. A bin with d = 0 gives 0 beyond r = 0, and infinity there (0 if nothing
-    /// leaves).
+    /// Computes r R(r), the profile times the distance `r` from where light entered, in 1/m.
+    ///
+    /// 2 pi times this leaves from a ring of radius `r`, for each meter of its width. `r` is 0 or more;
+    /// otherwise the result is NaN. A bin with d = 0 gives 0 beyond r = 0 and infinity at r = 0, or 0 if its
+    /// albedo is 0. See the [example](#example).
     ///
     /// # Accuracy
     /// (r / d + 4) units of 2^-24, relative.
@@ -103,7 +146,7 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         self.times_radius_with::<Portable>(r)
     }
 
-    /// [`times_radius`](Self::times_radius) on another math backend.
+    /// Computes the same as [`times_radius`](Self::times_radius), on the math backend `M`.
     #[must_use]
     pub fn times_radius_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
         self.each(r, |albedo, d| {
@@ -115,18 +158,19 @@ impl<const N: usize, G: Bands> Burley<N, G> {
         })
     }
 
-    /// What leaves within `r` >= 0 (else NaN) of where light entered: the integral of the profile over that
-    /// disk, 0..=albedo. A bin with d = 0 gives its albedo at any `r`.
-    ///
-    /// # Accuracy
-    /// 4 units of 2^-24, relative.
-    #[cfg(feature = "libm")]
+    /// Returns the share of the light that leaves anywhere, which is the albedo. See the [example](#example).
     #[must_use]
-    pub fn within(&self, r: f32) -> Spectrum<Factor, N, G> {
-        self.within_with::<Portable>(r)
+    pub const fn reflectance(&self) -> Reflectance<N, G> {
+        self.albedo
     }
 
-    /// [`within`](Self::within) on another math backend.
+    /// Returns the distance d of each bin, in m. See the [example](#example).
+    #[must_use]
+    pub const fn distance(&self) -> &[f32; N] {
+        &self.distance
+    }
+
+    /// Computes the same as [`within`](Self::within), on the math backend `M`.
     #[must_use]
     pub fn within_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
         self.each(r, |albedo, d| {
@@ -144,26 +188,41 @@ impl<const N: usize, G: Bands> Burley<N, G> {
     }
 }
 
-/// The distance, in units of Burley's d, within which the `share` (0..=1, else NaN) of what leaves does, for
-/// placing samples: the inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4.
+/// Computes the distance, in units of Burley's d, within which a given share of the light that leaves does
+/// so.
+///
+/// It is the inverse of 1 - exp(-x)/4 - 3 exp(-x/3)/4 and turns a uniform random number into the distance of
+/// a sample. `share` is 0..=1; otherwise the result is NaN.
 ///
 /// # Accuracy
-/// 4e-7, relative, of the share as rounded.
+/// 4e-7, relative, for the share as it is rounded to f32.
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::matter::burley_distance;
+/// // 1 - exp(-3) / 4 - 3 exp(-1) / 4 leaves within three times d.
+/// assert!((burley_distance(0.711_644) - 3.0).abs() < 1e-4);
+/// ```
 #[cfg(feature = "libm")]
 #[must_use]
 pub fn burley_distance(share: f32) -> f32 {
     burley_distance_with::<Portable>(share)
 }
 
-/// [`burley_distance`] on another math backend.
+/// Computes the distance, in units of Burley's d, within which a given share of the light leaves, on the math
+/// backend `M`.
+///
+/// [`burley_distance`] does the same without naming a backend; see the [example](burley_distance#example)
+/// there.
 #[must_use]
 pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
     if !(0.0..=1.0).contains(&share) {
         return f32::NAN;
     }
     if share > 0.5 {
-        // With e = e^(-x/3): e^3 + 3 e = 4 (1 - share), exactly. Convex: Newton's steps from above stay
-        // above.
+        // With e = e^(-x/3), e^3 + 3 e = 4 (1 - share) holds exactly. The left side is convex, so that
+        // Newton's steps from above stay above.
         let rest = 4.0 * (1.0 - share);
         let mut e = rest / 3.0;
         for _ in 0..4 {
@@ -171,8 +230,8 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
         }
         return if e > 0.0 { -3.0 * M::ln(e) } else { f32::INFINITY };
     }
-    // With e^(-x/3) = 1 - y: y^3 - 3 y^2 + 6 y = 4 share. Rising and concave: Newton's steps from below stay
-    // below.
+    // With e^(-x/3) = 1 - y, y^3 - 3 y^2 + 6 y = 4 share. The left side rises and is concave, so that
+    // Newton's steps from below stay below.
     let mut y = share * (2.0 / 3.0);
     for _ in 0..6 {
         let excess = y * (6.0 - y * (3.0 - y)) - 4.0 * share;
@@ -182,22 +241,34 @@ pub fn burley_distance_with<M: Math>(share: f32) -> f32 {
     if rest == 1.0 {
         return 3.0 * y;
     }
-    // ln(1 - y) where 1 - y has lost digits of y: what was rounded cancels.
+    // ln(1 - y), where 1 - y has lost digits of y: the rounding error cancels in the quotient.
     3.0 * M::ln(rest) * (y / (rest - 1.0))
 }
 
-/// The classical dipole: a diffusing half-space of known absorption and scattering, in 1/m (or 1 over any one
-/// unit of length), behind a smooth surface.
+/// The classical dipole model of a translucent material, whose absorption and scattering coefficients are
+/// known.
+///
+/// Make it by [`new`](Self::new); [`reflectance`](Self::reflectance) is the color of a large area of it, and
+/// [`profile`](Self::profile) tells how far from where it entered light leaves. The model is a half-space
+/// behind a smooth surface, in which light diffuses. Coefficients are in 1/m (or all in 1 over another unit
+/// of length).
 ///
 /// # Reference
 /// Jensen, Marschner, Levoy and Hanrahan 2001, "A practical model for subsurface light transport".
 ///
+/// # Example
+///
 /// ```
 /// # #[cfg(feature = "libm")] {
 /// use nanospectra::matter::Dipole;
-/// // Whole milk in red light (Jensen's table, 1/mm): it reflects 0.91.
+/// // Whole milk in red light (Jensen's table, in 1/mm) reflects 0.91.
 /// let milk = Dipole::<16>::new([0.0011; 16], [2.55; 16], 1.3);
 /// assert!((milk.reflectance().values()[0] - 0.91).abs() < 0.01);
+/// // By the fit of the paper it is the same within 0.01.
+/// let by_fit = Dipole::<16>::new_by_fit([0.0011; 16], [2.55; 16], 1.3);
+/// assert!((by_fit.reflectance().values()[0] - milk.reflectance().values()[0]).abs() < 0.01);
+/// // More light leaves at 1 mm from where it entered than at 2 mm.
+/// assert!(milk.profile(1.0).values()[0] > milk.profile(2.0).values()[0]);
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -205,21 +276,25 @@ pub struct Dipole<const N: usize, G = Bins<380, 730>> {
     absorption: [f32; N],
     scattering: [f32; N],
     eta: f32,
-    /// (1 + Fdr) / (1 - Fdr): how far outside the surface the fluence would be zero.
+    /// (1 + Fdr) / (1 - Fdr), which tells how far outside the surface the fluence would be zero.
     mismatch: f32,
     grid: core::marker::PhantomData<G>,
 }
 
 impl<const N: usize, G: Bands> Dipole<N, G> {
-    /// From the absorption and the reduced scattering coefficient of each bin, both 0..=1e18 (else NaN), and
-    /// the index of refraction `eta` of the volume over that outside, 1..=3 (else all is NaN), by
-    /// [`internal_reflectance`].
+    /// Makes a dipole from the absorption and the reduced scattering coefficient of each bin and the
+    /// refractive index.
+    ///
+    /// Both coefficients are 0..=1e18; otherwise the bin is NaN. `eta` is the index of the volume relative to
+    /// the outside, 1..=3; otherwise all bins are NaN. The reflectance of the surface from inside is the
+    /// exact [`internal_reflectance`]. See the [example](#example).
     #[must_use]
     pub fn new(absorption: [f32; N], reduced_scattering: [f32; N], eta: f32) -> Self {
         Self::with(absorption, reduced_scattering, eta, internal_reflectance(eta))
     }
 
-    /// As [`new`](Self::new), by the fit of the paper and most programs, [`internal_reflectance_fit`].
+    /// Makes a dipole as [`new`](Self::new) does, but with the fit that the paper and most programs use,
+    /// [`internal_reflectance_fit`]. See the [example](#example).
     #[must_use]
     pub fn new_by_fit(absorption: [f32; N], reduced_scattering: [f32; N], eta: f32) -> Self {
         Self::with(absorption, reduced_scattering, eta, internal_reflectance_fit(eta))
@@ -230,18 +305,19 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         Dipole { absorption, scattering, eta, mismatch, grid: core::marker::PhantomData }
     }
 
-    /// All that leaves of the light that entered: the integral of the profile, 0..=1. 0 where nothing
-    /// scatters.
+    /// Computes the share of the light that entered which leaves again anywhere, 0..=1.
+    ///
+    /// This is the integral of the profile. It is 0 where nothing scatters. See the [example](#example).
     ///
     /// # Accuracy
-    /// 1e-7 absolute beside the closed form in f64.
+    /// 1e-7 absolute, compared with the closed form in f64.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn reflectance(&self) -> Reflectance<N, G> {
         self.reflectance_with::<Portable>()
     }
 
-    /// [`reflectance`](Self::reflectance) on another math backend.
+    /// Computes the same as [`reflectance`](Self::reflectance), on the math backend `M`.
     #[must_use]
     pub fn reflectance_with<M: Math>(&self) -> Reflectance<N, G> {
         self.each(|albedo, decay, _| {
@@ -249,7 +325,9 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         })
     }
 
-    /// R(r), in 1/m2, at `r` >= 0 (else NaN) from where light entered.
+    /// Computes the profile R(r) at the distance `r` from where light entered, in 1/m2.
+    ///
+    /// `r` is 0 or more; otherwise the result is NaN. See the [example](#example).
     ///
     /// # Accuracy
     /// (2 sigma_tr r + 20) units of 2^-24, relative.
@@ -259,11 +337,11 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         self.profile_with::<Portable>(r)
     }
 
-    /// [`profile`](Self::profile) on another math backend.
+    /// Computes the same as [`profile`](Self::profile), on the math backend `M`.
     #[must_use]
     pub fn profile_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
         self.each(|albedo, decay, extinction| {
-            // In units of the mean free path: the sources lie at 1 below and 1 + 4A/3 above.
+            // In units of the mean free path, the sources lie 1 below the surface and 1 + 4A/3 above it.
             let across = r * extinction;
             if r < 0.0 {
                 return f32::NAN;
@@ -280,26 +358,31 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
         })
     }
 
-    /// The reflectance, 0..=1 and without the gloss, of a large area lit evenly from all sides and seen from
-    /// `cos_theta`, or the other way round.
+    /// Computes the reflectance of a large area that is lit evenly from all sides and seen at an angle,
+    /// without the light that the surface itself reflects.
     ///
-    /// Where nothing is absorbed, this and the gloss are together less than 1: 5.7 % are lost at `eta` 1.3.
-    /// The reason is that Jensen's model takes Fresnel's share on the way out, which R(r) contains, once
-    /// more. Divided by the mean of that, 1 - [`external_reflectance`], all light is accounted for.
+    /// `cos_theta` is the cosine of the angle between the normal and the direction of view. By reciprocity
+    /// the reflectance, 0..=1, is also that of an area lit from this direction and seen from all.
+    ///
+    /// Where nothing is absorbed, this and the light reflected at the surface add up to less than 1: 5.7 %
+    /// are lost at an `eta` of 1.3. The reason is that Jensen's model applies Fresnel's share on the way out
+    /// twice, because R(r) contains it already. Divide by its mean, 1 - [`external_reflectance`], to account
+    /// for all light.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn hemispherical_directional(&self, cos_theta: f32) -> Reflectance<N, G> {
         self.hemispherical_directional_with::<Portable>(cos_theta)
     }
 
-    /// [`hemispherical_directional`](Self::hemispherical_directional) on another math backend.
+    /// Computes the same as [`hemispherical_directional`](Self::hemispherical_directional), on the math
+    /// backend `M`.
     #[must_use]
     pub fn hemispherical_directional_with<M: Math>(&self, cos_theta: f32) -> Reflectance<N, G> {
         let through = (1.0 - fresnel(self.eta, cos_theta)) * (1.0 - external_reflectance(self.eta));
         self.reflectance_with::<M>() * through
     }
 
-    /// A value for each bin from the albedo of a scattering, sigma_tr / sigma_t' and sigma_t'.
+    /// A value for each bin from the albedo of one scattering event, sigma_tr / sigma_t' and sigma_t'.
     fn each(&self, value: impl Fn(f32, f32, f32) -> f32) -> Spectrum<Factor, N, G> {
         let mut values = self.absorption;
         for (v, scattering) in values.iter_mut().zip(&self.scattering) {
