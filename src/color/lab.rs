@@ -135,7 +135,7 @@ impl Xyz {
         let compressed = |t| if t > KNEE { cbrt(t) - OFFSET } else { KAPPA / 116.0 * t };
         let [fx, fy, fz] = [x, y, z].map(compressed);
         // A difference of cube roots, p - q, is computed as (p^3 - q^3) / (p^2 + p q + q^2), so that nothing
-        // cancels near gray.
+        // cancels near gray. If a ratio is on the straight part, the plain difference is taken.
         let (a, b) = if x > KNEE && y > KNEE && z > KNEE {
             let [x3, y3, z3] = [fx + OFFSET, fy + OFFSET, fz + OFFSET];
             let squares = |s: f32, t: f32| s * s + s * t + t * t;
