@@ -1,24 +1,31 @@
-//! Chromatic adaptation: what a color seen under one white corresponds to under another.
+//! Chromatic adaptation: the color that, seen under a second white, corresponds to one seen under a first.
 
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix, apply, apply64, inverse64, product64, rounded, scale_columns64};
 
 /// The cone responses that an adaptation scales one by one, as von Kries proposed.
+///
+/// [`Bradford`], [`Cat02`], [`Cat16`] and [`VonKries`] implement it. They are named where an adaptation is
+/// made, as in `Adaptation::between::<Cat16>(from, to)`. See the [example](Adaptation#example).
 pub trait ConeResponses: Copy + 'static {
-    /// XYZ to the three responses, row-major.
+    /// The matrix that takes X, Y, Z to the three responses, row by row.
     const FROM_XYZ: [[f64; 3]; 3];
 }
 
 /// The responses of the linear Bradford transform, which ICC profiles use.
+///
+/// See the [example](Adaptation#example).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bradford;
-/// The responses of CAT02, the transform of CIECAM02.
+/// The responses of CAT02, the transform that CIECAM02 uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cat02;
-/// The responses of CAT16, the transform of CIECAM16.
+/// The responses of CAT16, the transform that CIECAM16 uses.
+///
+/// See the [example](Adaptation#example).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cat16;
-/// The cone responses of Hunt, Pointer and Estevez, normalized to D65.
+/// The cone responses of Hunt, Pointer and Estevez, scaled to be equal for D65.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VonKries;
 
@@ -39,7 +46,11 @@ impl ConeResponses for VonKries {
         [[0.40024, 0.7076, -0.08081], [-0.2263, 1.16532, 0.0457], [0.0, 0.0, 0.91822]];
 }
 
-/// The change from one white to another, as a matrix for tristimulus values.
+/// A change of the white, as a matrix that takes a color seen under one white to the corresponding color
+/// seen under another.
+///
+/// Make it by [`between`](Self::between), or by [`between_const`](Self::between_const) if both whites are
+/// known when the program is compiled. Then call [`apply`](Self::apply) for each color.
 ///
 /// The first white gets the chromaticity of the second and keeps its luminance, so that only the
 /// chromaticities of the whites count. They may be given with any Y, and the adapted colors keep their scale.
@@ -47,39 +58,33 @@ impl ConeResponses for VonKries {
 /// # Reference
 /// CIE 160:2004; ICC.1:2022 annex E for Bradford; CIE 248:2022 for CAT16.
 ///
+/// # Example
 /// ```
-/// use nanospectra::color::{Adaptation, Bradford, Xyz};
-/// // From D65 to ICC's D50, worked out by the compiler:
-/// const TO_D50: Adaptation =
-///     Adaptation::between_const::<Bradford>(Xyz::new(95.047, 100.0, 108.883), Xyz::new(96.42, 100.0, 82.491));
-/// let red = TO_D50.apply(Xyz::new(41.24, 21.26, 1.93)); // sRGB's red, for which ICC profiles have
+/// use nanospectra::color::{Adaptation, Bradford, Cat16, Xyz};
+/// // From D65 to the D50 of ICC profiles, computed by the compiler.
+/// const D65: Xyz = Xyz::new(95.047, 100.0, 108.883);
+/// const TO_D50: Adaptation = Adaptation::between_const::<Bradford>(D65, Xyz::new(96.42, 100.0, 82.491));
+/// let red = TO_D50.apply(Xyz::new(41.24, 21.26, 1.93)); // the red of sRGB, as ICC profiles have it:
 /// assert!((red.x - 43.60).abs() < 0.01 && (red.y - 22.25).abs() < 0.01 && (red.z - 1.39).abs() < 0.01);
+///
+/// // At run time: complete adaptation takes the white of illuminant A to D65, degree 0 leaves it as it is.
+/// let a = Xyz::new(109.85, 100.0, 35.585);
+/// let white = Adaptation::between::<Cat16>(a, D65).ok_or("no such white")?.apply(a);
+/// assert!((white.x - D65.x).abs() < 1e-3 && (white.z - D65.z).abs() < 1e-3);
+/// let white = Adaptation::partial::<Cat16>(a, D65, 0.0).ok_or("no such white")?.apply(a);
+/// assert!((white.x - a.x).abs() < 1e-3 && (white.z - a.z).abs() < 1e-3);
+/// # Ok::<(), &str>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Adaptation(Matrix);
 
 impl Adaptation {
-    /// Complete adaptation between two whites known when the program is compiled: f64 inside,
-    /// so keep it in a `const` or `static`. Whites that have no such responses (see
-    /// [`Adaptation::between`]) make a matrix that is not finite.
+    /// Makes the complete adaptation from one white to another, at run time and in f32.
     ///
-    /// # Accuracy
-    /// Each element is the f64 one rounded to f32.
-    #[must_use]
-    pub const fn between_const<C: ConeResponses>(from: Xyz, to: Xyz) -> Self {
-        let a = apply64(&C::FROM_XYZ, [from.x as f64, from.y as f64, from.z as f64]);
-        let b = apply64(&C::FROM_XYZ, [to.x as f64, to.y as f64, to.z as f64]);
-        let k = from.y as f64 / to.y as f64;
-        let gain = [k * b[0] / a[0], k * b[1] / a[1], k * b[2] / a[2]];
-        let back = scale_columns64(&inverse64(&C::FROM_XYZ), gain);
-        Adaptation(rounded(&product64(&back, &C::FROM_XYZ)))
-    }
-
-    /// Complete adaptation between two whites, at run time and in f32.
-    ///
-    /// `None` for a white without luminance, or with a cone response that is not above zero, as
-    /// a deep blue or red laser has. NaN stays NaN; a white with X / Y or Z / Y beyond 1e37 overflows.
+    /// The result is `None` for a white without luminance, and for one with a cone response that is not above
+    /// zero, as a deep blue or red laser has. NaN stays NaN. A white with X / Y or Z / Y beyond 1e37
+    /// overflows. See the [example](Adaptation#example).
     ///
     /// # Accuracy
     /// 3e-6 per element, whose largest is 9, from high-pressure sodium to D65
@@ -89,10 +94,10 @@ impl Adaptation {
         Self::partial::<C>(from, to, 1.0)
     }
 
-    /// Adaptation of `degree` 0 (none: the color as it is) to 1 (complete): the responses are
-    /// scaled by `degree * to / from + 1 - degree`, for whites of the same luminance.
+    /// Makes an incomplete adaptation, whose `degree` goes from 0 (colors stay as they are) to 1 (complete).
     ///
-    /// `None` as in [`Adaptation::between`].
+    /// The responses are scaled by `degree * to / from + 1 - degree`, for whites of the same luminance. The
+    /// result is `None` as in [`Adaptation::between`]. See the [example](Adaptation#example).
     #[must_use]
     pub fn partial<C: ConeResponses>(from: Xyz, to: Xyz, degree: f32) -> Option<Self> {
         let cones = const { rounded(&C::FROM_XYZ) };
@@ -115,14 +120,34 @@ impl Adaptation {
         })))
     }
 
-    /// The corresponding color, on the scale of `color`.
+    /// Makes the complete adaptation between two whites that are known when the program is compiled.
+    ///
+    /// It computes in f64, so keep the result in a `const` or `static`. It checks nothing: whites that
+    /// [`Adaptation::between`] refuses make a matrix without meaning, or one that is not finite. See the
+    /// [example](Adaptation#example).
+    ///
+    /// # Accuracy
+    /// Each element is the f64 one rounded to f32.
+    #[must_use]
+    pub const fn between_const<C: ConeResponses>(from: Xyz, to: Xyz) -> Self {
+        let a = apply64(&C::FROM_XYZ, [from.x as f64, from.y as f64, from.z as f64]);
+        let b = apply64(&C::FROM_XYZ, [to.x as f64, to.y as f64, to.z as f64]);
+        let k = from.y as f64 / to.y as f64;
+        let gain = [k * b[0] / a[0], k * b[1] / a[1], k * b[2] / a[2]];
+        let back = scale_columns64(&inverse64(&C::FROM_XYZ), gain);
+        Adaptation(rounded(&product64(&back, &C::FROM_XYZ)))
+    }
+
+    /// Returns the color that corresponds to `color` under the second white, on the scale of `color`.
+    ///
+    /// See the [example](Adaptation#example).
     #[must_use]
     pub const fn apply(&self, color: Xyz) -> Xyz {
         let [x, y, z] = apply(&self.0, color.to_array());
         Xyz { x, y, z }
     }
 
-    /// The matrix, row-major.
+    /// Returns the matrix of the adaptation, row by row.
     #[must_use]
     pub const fn matrix(&self) -> &[[f32; 3]; 3] {
         &self.0

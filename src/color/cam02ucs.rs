@@ -1,10 +1,11 @@
-//! CIECAM02 to its uniform space CAM02-UCS, for the one viewing condition of TM-30.
+//! CAM02-UCS, the uniform space of CIECAM02, for the one viewing condition that TM-30 prescribes.
 
 use crate::color::matrix::{Matrix, apply, inverse64, product64, rounded};
 use crate::color::{Cat02, ConeResponses, Xyz};
 use crate::math::{Math, Portable, cbrt, sqrt};
 
-/// Adapting luminance 100 cd/m2, background Y 20, average surround, complete adaptation.
+// The viewing condition of TM-30: an adapting luminance of 100 cd/m2, a background with Y = 20, an average
+// surround and complete adaptation.
 const ADAPTING: f32 = 100.0;
 const BACKGROUND: f32 = 0.2;
 const IMPACT: f32 = 0.69;
@@ -25,27 +26,31 @@ impl Cam02Ucs {
     }
 }
 
-/// What depends on the white and the surround only.
+/// The quantities of the model that depend on the white and the surround alone.
 pub(super) struct Viewing {
-    /// Gain of each CAT02 channel: complete adaptation to the white.
+    /// The factor of each CAT02 channel, for complete adaptation to the white.
     gain: [f32; 3],
+    /// F_L, the factor of the adapting luminance.
     luminance: f32,
-    /// N_bb = N_cb.
+    /// N_bb, which is equal to N_cb.
     contrast: f32,
+    /// c z, the exponent of lightness.
     exponent: f32,
+    /// A_w, the achromatic response to the white.
     achromatic_white: f32,
-    /// (1.64 - 0.29^n)^0.73 and F_L^(1/4).
+    /// (1.64 - 0.29^n)^0.73, a factor of chroma.
     chroma: f32,
+    /// F_L^(1/4), the factor from chroma to colorfulness.
     colorfulness: f32,
 }
 
-/// The cones of Hunt, Pointer and Estevez, in which responses are compressed.
+/// X, Y, Z to the cone responses of Hunt, Pointer and Estevez, which the model compresses.
 const HPE: [[f64; 3]; 3] = [[0.38971, 0.68898, -0.07868], [-0.22981, 1.18340, 0.04641], [0.0, 0.0, 1.0]];
 const CAT02: Matrix = rounded(&Cat02::FROM_XYZ);
 const HPE_FROM_CAT02: Matrix = rounded(&product64(&HPE, &inverse64(&Cat02::FROM_XYZ)));
 
 impl Viewing {
-    /// For a white with Y = 100.
+    /// Makes the viewing condition for a white with Y = 100.
     pub(super) fn new(white: Xyz) -> Self {
         let five = 5.0 * ADAPTING;
         let k = 1.0 / (five + 1.0);
@@ -64,7 +69,7 @@ impl Viewing {
         viewing
     }
 
-    /// Cone responses after adaptation and compression.
+    /// Returns the cone responses after adaptation and compression.
     fn cones(&self, xyz: Xyz) -> [f32; 3] {
         let sharp = apply(&CAT02, xyz.to_array());
         let adapted = [sharp[0] * self.gain[0], sharp[1] * self.gain[1], sharp[2] * self.gain[2]];
@@ -79,7 +84,7 @@ impl Viewing {
         (2.0 * r + g + b / 20.0 - 0.305) * self.contrast
     }
 
-    /// The color as it appears.
+    /// Returns the appearance of the color, as CAM02-UCS coordinates.
     pub(super) fn appearance(&self, xyz: Xyz) -> Cam02Ucs {
         let [r, g, b] = self.cones(xyz);
         let (red_green, yellow_blue) = (r - 12.0 * g / 11.0 + b / 11.0, (r + g - 2.0 * b) / 9.0);
@@ -93,7 +98,7 @@ impl Viewing {
             return Cam02Ucs { j, a: 0.0, b: 0.0 };
         }
         let (cos, sin) = (red_green / size, yellow_blue / size);
-        // cos(h + 2), the angle in radians.
+        // A quarter of cos(h + 2) + 3.8, with angles in radians.
         let eccentricity = 0.25 * (cos * -0.416_146_84 - sin * 0.909_297_4 + 3.8);
         let t = 50_000.0 / 13.0 * INDUCTION * self.contrast * eccentricity * size / (r + g + 1.05 * b);
         let chroma = Portable::powf(t, 0.9) * sqrt(lightness / 100.0) * self.chroma;

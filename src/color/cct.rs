@@ -1,4 +1,4 @@
-//! Correlated color temperature and distance from the Planckian locus.
+//! Correlated color temperature, and distance from the Planckian locus.
 
 use crate::color::{Uv1960, Xyz};
 use crate::math::sqrt;
@@ -6,39 +6,63 @@ use core::fmt;
 
 include!(concat!(env!("OUT_DIR"), "/locus.rs"));
 
-/// Segments of the locus table.
+/// The number of segments of the locus table.
 const SEGMENTS: usize = LOCUS.len() - 1;
 
-/// CIE 15: a correlated color temperature has no meaning further than this from the locus, with room for the
-/// rounding of u and v. (Its radius of curvature goes down to 0.1001 there, and points beyond that have no
-/// nearest one.)
+/// The largest distance from the locus at which CIE 15 gives a correlated color temperature a meaning, with
+/// room for the rounding of u and v. (The radius of curvature of the locus goes down to 0.1001, and a point
+/// that is further away has no unique nearest point.)
 const MAX_DUV: f32 = 0.05 + 2e-7;
 
 /// A correlated color temperature with its Duv, or the reason why a color has none.
+///
+/// [`Xyz::cct`] and [`Uv1960::cct`] return it. Match on it to handle each case, or call
+/// [`near`](Cct::near) if the reason does not matter.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::{Cct, Xy};
+/// let found = |x, y| Xy::new(x, y).uv1960().cct();
+/// let (cct_k, duv) = found(0.3127, 0.3290).near().ok_or("D65 is a white")?;
+/// assert!((cct_k - 6504.0).abs() < 2.0 && (duv - 0.0032).abs() < 1e-4);
+///
+/// assert_eq!(found(0.15, 0.70), Cct::OffLocus); // a green
+/// assert_eq!(found(0.68, 0.32), Cct::TooCold); // a red
+/// assert_eq!(found(0.235, 0.225), Cct::TooHot); // a blue
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Cct {
-    /// A color near the locus.
+    /// The color is near the Planckian locus and has a correlated color temperature.
+    ///
+    /// See the [example](Xyz::cct).
     Near {
-        /// Temperature of the nearest black body, K, 1000..=1e6.
+        /// The temperature of the black body that comes nearest, in K, 1000..=1e6.
         cct_k: f32,
-        /// Distance from the locus in the CIE 1960 plane, above it (greenish) positive; |duv| <= 0.05.
+        /// The distance from the locus in the CIE 1960 plane, which is positive above it (greenish) and
+        /// negative below (pinkish), within -0.05..=0.05.
         duv: f32,
     },
-    /// Further than 0.05 from the locus: not a white, it has no color temperature.
+    /// The color is further than 0.05 from the locus: it is not a white, and has no color temperature.
+    ///
+    /// See the [example](Cct#example).
     OffLocus,
-    /// Redder than a black body of 1000 K.
+    /// The color is near the locus but redder than a black body of 1000 K.
+    ///
+    /// See the [example](Cct#example).
     TooCold,
-    /// Bluer than a black body of a million K.
+    /// The color is near the locus but bluer than a black body of a million K.
+    ///
+    /// See the [example](Cct#example).
     TooHot,
 }
 
 impl Cct {
-    /// Size in bytes of the table that [`Uv1960::cct`] reads.
-    pub const TABLE_BYTES: usize = size_of_val(&LOCUS);
-
-    /// Temperature in K and Duv, if the color has them.
+    /// Returns the temperature in K and Duv, or `None` if the color has no temperature.
+    ///
+    /// See the [example](Cct#example).
     #[must_use]
     pub const fn near(self) -> Option<(f32, f32)> {
         match self {
@@ -46,10 +70,13 @@ impl Cct {
             _ => None,
         }
     }
+
+    /// The size in bytes of the table that [`Uv1960::cct`] reads.
+    pub const TABLE_BYTES: usize = size_of_val(&LOCUS);
 }
 
 impl fmt::Display for Cct {
-    /// `6503 K, Duv +0.0032`, or the reason.
+    /// Writes `6503 K, Duv +0.0032`, or the reason why there is no temperature.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Cct::Near { cct_k, duv } => return write!(f, "{cct_k:.0} K, Duv {duv:+.4}"),
@@ -61,12 +88,18 @@ impl fmt::Display for Cct {
 }
 
 impl Xyz {
-    /// CCT and Duv of the chromaticity, as [`Uv1960::cct`]; `None` for black, which has no chromaticity.
+    /// Finds the correlated color temperature and Duv of this color, as [`Uv1960::cct`] does.
     ///
+    /// The color must be one of the CIE 1931 2 degree observer. The result is `None` for black, which has no
+    /// chromaticity.
+    ///
+    /// # Example
     /// ```
     /// # use nanospectra::color::{Cct, Xyz};
     /// let d65 = Xyz::new(95.047, 100.0, 108.883);
-    /// assert_eq!(d65.cct().ok_or("black")?.to_string(), "6503 K, Duv +0.0032");
+    /// let cct = d65.cct().ok_or("black")?;
+    /// assert!(matches!(cct, Cct::Near { cct_k, duv } if (6502.0..6506.0).contains(&cct_k) && duv > 0.0));
+    /// assert_eq!(cct.to_string(), "6503 K, Duv +0.0032");
     /// assert_eq!(Xyz::default().cct(), None);
     /// # Ok::<(), &str>(())
     /// ```
@@ -78,23 +111,25 @@ impl Xyz {
 }
 
 impl Uv1960 {
-    /// The temperature of the nearest black body and the distance to it, for a chromaticity of
-    /// the CIE 1931 2 degree observer.
+    /// Finds the correlated color temperature and Duv: the temperature of the black body that comes nearest,
+    /// and the distance to it.
     ///
-    /// Planck's law with c2 = 1.4388e-2 m K as color temperatures are defined: a black body by
-    /// today's constants reads 1.6e-5 of T higher. NaN gives NaN.
+    /// The chromaticity must be one of the CIE 1931 2 degree observer. Color temperatures are defined with
+    /// c2 = 1.4388e-2 m K in Planck's law; the light of a black body by today's constants therefore reads
+    /// 1.6e-5 of T higher than its temperature. NaN gives NaN.
     ///
     /// # Accuracy
     /// 0.009 mired and 2e-7 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (swept in `tests/color/cct.rs`);
     /// 0.009 mired are 0.4 K at 6500 K.
     ///
     /// # Cost
-    /// 400 bytes of table; a search by halves, one Newton step and one square root.
+    /// A table of 400 bytes, a search by halves, one Newton step and one square root.
     ///
     /// # Reference
-    /// CIE 15:2018, 9.5; Ohno, Leukos 10 (2014) for Duv. The locus is a Hermite curve through 25
-    /// knots made from the CIE 1931 functions when the crate is built.
+    /// CIE 15:2018, 9.5; Ohno, Leukos 10 (2014) for Duv. The locus is a Hermite curve through 25 knots, which
+    /// are computed from the CIE 1931 functions when the crate is built.
     ///
+    /// # Example
     /// ```
     /// # use nanospectra::{color::Xy, color::Cct};
     /// // Illuminant A by its definition, T = 1.4388e-2 / 1.4350e-2 * 2848 K.
@@ -106,7 +141,8 @@ impl Uv1960 {
     #[cfg_attr(not(target_arch = "wasm32"), inline)]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn cct(self) -> Cct {
-        // The knots' normals do not cross where a temperature is defined: halve.
+        // Halve the table until one segment is left. This works because the normals at the knots do not
+        // cross each other where a temperature is defined.
         let (mut segment, mut left) = (0, SEGMENTS);
         while left > 1 {
             let half = left / 2;
@@ -116,17 +152,18 @@ impl Uv1960 {
             left -= half;
         }
         let Some([from, to]) = LOCUS.get(segment..).and_then(|rest| rest.first_chunk()) else {
-            return Cct::OffLocus; // never: segment < SEGMENTS
+            return Cct::OffLocus; // never happens, because segment < SEGMENTS
         };
         let (first, last) = (along(from, self), along(to, self));
-        // Only the two ends of the table have a point on neither side.
+        // After the search the point lies between the two knots, unless it is beyond an end of the table.
         if first < 0.0 {
             return self.beyond(from, Cct::TooHot);
         }
         if last > 0.0 {
             return self.beyond(to, Cct::TooCold);
         }
-        // A point divides the way between two normals nearly as it divides the segment.
+        // The distances from the two normals have nearly the ratio in which the nearest point divides the
+        // segment: that is where the Newton step starts.
         let (s, duv) = Segment::between(from, to).nearest(self, first / (first - last));
         if duv.abs() <= MAX_DUV {
             let place = segment as f32 + s;
@@ -138,7 +175,7 @@ impl Uv1960 {
         }
     }
 
-    /// A point beyond an end of the table: `reason`, if it is near the tangent there.
+    /// Judges a point beyond an end of the table: `reason` if it is near the tangent there, else `OffLocus`.
     #[cold]
     #[inline(never)]
     fn beyond(self, end: Knot, reason: Cct) -> Cct {
@@ -152,7 +189,7 @@ impl Uv1960 {
     }
 }
 
-/// One cubic of the locus, in its own parameter 0..=1.
+/// One cubic piece of the locus, whose parameter goes from 0 to 1.
 struct Segment {
     start: [f32; 2],
     tangent: [f32; 2],
@@ -160,11 +197,11 @@ struct Segment {
     twist: [f32; 2],
 }
 
-/// u, v, du and dv/du.
+/// A knot of the locus: u, v, du and dv/du.
 type Knot = &'static [f32; 4];
 
-/// How far along the locus `p` lies from knot `k`; the sign says on which side. (In units of the length of a
-/// tangent with du = 1, and u rises all along the locus.)
+/// Returns how far along the locus `p` lies from a knot, with a sign that says on which side. (The unit is
+/// the length of a tangent with du = 1; u rises all along the locus.)
 #[inline(always)]
 fn along(knot: Knot, p: Uv1960) -> f32 {
     let [u, v, _, steepness] = *knot;
@@ -182,8 +219,10 @@ impl Segment {
         Segment { start: [u0, v0], tangent: t0, bend: [bend(0), bend(1)], twist }
     }
 
-    /// Place and signed distance of the point nearest to `p`: one Newton step on (locus - p) . tangent = 0
-    /// from `s`, which leaves 4e-4 mired; the Taylor series about `s` gives the point it leads to.
+    /// Finds the point of the cubic that is nearest to `p`, and returns its parameter and signed distance.
+    ///
+    /// It takes one Newton step on (locus - p) . tangent = 0 from `s`, which leaves an error of 4e-4 mired.
+    /// The Taylor series about `s` gives the point to which the step leads.
     #[inline(always)]
     fn nearest(&self, p: Uv1960, s: f32) -> (f32, f32) {
         let at = |i: usize, p: f32| {

@@ -1,4 +1,4 @@
-//! The CIE color rendering index.
+//! The CIE color rendering index (CIE 13.3).
 
 use crate::color::reference::{RenderingError, temperature};
 use crate::color::test_colors::{Colors, under, under_reference};
@@ -6,43 +6,64 @@ use crate::color::{Uv1960, Xyz};
 use crate::math::{cbrt, sqrt};
 use crate::spectrum::{Fine, Power};
 
-/// The CIE color rendering indices of a light.
+/// The CIE color rendering indices of a light, which [`cri`] computes.
+///
+/// See the [example](cri#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cri {
-    /// The general index: the mean of the first eight.
+    /// The general index Ra, which is the mean of R1 to R8.
+    ///
+    /// See the [example](cri#example).
     pub ra: f32,
-    /// R1..=R14, and R15 (TCS15, Japanese skin). 100 is perfect; there is no lower end.
+    /// The special indices R1..=R14, which R15 follows (TCS15, Japanese skin).
+    ///
+    /// 100 is perfect, and there is no lower limit. See the [example](cri#example).
     pub r: [f32; 15],
-    /// Correlated color temperature of the light and of its reference, K.
+    /// The correlated color temperature that the light has, and its reference too, in K.
+    ///
+    /// See the [example](cri#example).
     pub cct_k: f32,
-    /// Distance from the Planckian locus.
+    /// The distance of the light from the Planckian locus, which is positive above it.
     pub duv: f32,
-    /// Distance between light and reference, CIE 1960. CIE 13.3 asks for less than 5.4e-3; beyond, the
-    /// indices are numbers without much meaning.
+    /// The distance that light and reference have in the CIE 1960 diagram.
+    ///
+    /// CIE 13.3 asks for less than 5.4e-3; beyond that the indices do not mean much.
     pub dc: f32,
 }
 
-/// The CIE 1974 test color method, unrounded.
+/// Computes the color rendering indices Ra and R1 to R15 of a light by the CIE 1974 test color method.
 ///
-/// The reference is a black body below 5000 K and daylight (M1, M2 not rounded) from there, above 25000 K by
-/// the same formula; 1 nm sums over 360..=830 nm, samples by Sprague's interpolation, CIE 1931 observer. The
-/// sums are taken in another order, samples last, and for the reference ahead of time; the numbers are the
-/// same but for rounding.
+/// The indices are not rounded. The reference is a black body below 5000 K and CIE daylight from there
+/// (M1 and M2 not rounded; above 25000 K by the same formula). Sums are over 360..=830 nm at 1 nm, with the
+/// samples interpolated by Sprague's method and the CIE 1931 observer. The order of the additions is another
+/// than in the standard, and most of the sums for the reference are computed by the compiler. This changes
+/// the results by rounding alone.
 ///
 /// # Accuracy
 /// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15 is
-/// tabulated over 380..=780 nm only; its end values are held beyond.
+/// tabulated over 380..=780 nm only; beyond, its end values are used.
 ///
 /// # Cost
 /// 17 KB of tables, color-matching functions included; 13,000 multiplications and additions and no
 /// exponential, 2.1 us on an x86-64 host.
 ///
 /// # Errors
-/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no color.
+/// Returns a [`RenderingError`] if the light is dark, if it is not a white, or if it has values so negative
+/// that a sample has no color.
 ///
 /// # Reference
 /// CIE 13.3-1995.
+///
+/// # Example
+/// ```
+/// use nanospectra::{color::cri, light};
+/// let cool_white = cri(&light::FL2.fine())?;
+/// assert_eq!(cool_white.ra.round(), 64.0); // CIE 15 tabulates 64, and a CCT of 4230 K
+/// assert!((cool_white.cct_k - 4230.0).abs() < 10.0);
+/// assert!(cool_white.r[8] < 0.0); // R9, a saturated red
+/// # Ok::<(), nanospectra::color::RenderingError>(())
+/// ```
 pub fn cri(light: &Fine<Power>) -> Result<Cri, RenderingError> {
     let (cct_k, duv) = temperature(light)?;
     let (test, standard) = (Judge::new(under(light))?, Judge::new(under_reference(cct_k))?);
@@ -63,12 +84,12 @@ pub fn cri(light: &Fine<Power>) -> Result<Cri, RenderingError> {
     Ok(Cri { ra, r, cct_k, duv, dc })
 }
 
-/// A light under which samples are looked at.
+/// A light with the colors that the samples have under it.
 struct Judge {
     colors: Colors,
     white: Uv1960,
     white_cd: [f32; 2],
-    /// Brings Y of the white to 100.
+    /// The factor that brings Y of the white to 100.
     scale: f32,
 }
 
@@ -79,13 +100,13 @@ impl Judge {
         Ok(Judge { colors, white, white_cd: cd(white), scale: 100.0 / y })
     }
 
-    /// The 15 samples (and, for who asks for more, the white).
+    /// Returns the colors of the 15 samples, followed by the white.
     fn samples(&self) -> impl Iterator<Item = Xyz> {
         let [x, y, z] = &self.colors;
         x.iter().zip(y.iter().zip(z)).map(|(x, (y, z))| Xyz { x: *x, y: *y, z: *z }.scaled(self.scale))
     }
 
-    /// U*, V*, W* of a sample, adapted to the white of the reference by von Kries' rule on the
+    /// Computes U*, V*, W* of a sample, adapted to the white of the reference by von Kries' rule for the
     /// quantities c and d of the standard.
     fn uvw(&self, sample: Xyz, reference: &Judge) -> Result<[f32; 3], RenderingError> {
         let own = cd(sample.uv1960().ok_or(RenderingError::Unreal)?);
@@ -98,6 +119,7 @@ impl Judge {
     }
 }
 
+/// Computes the quantities c and d of the standard.
 fn cd(p: Uv1960) -> [f32; 2] {
     [(4.0 - p.u - 10.0 * p.v) / p.v, (1.708 * p.v + 0.404 - 1.481 * p.u) / p.v]
 }

@@ -3,7 +3,7 @@
 use crate::color::Lab;
 use crate::math::sqrt;
 
-/// What two colors differ by in chroma and hue.
+/// The chromas of two colors, and their differences in chroma and hue.
 pub(super) struct Polar {
     pub(super) c1: f32,
     pub(super) c2: f32,
@@ -11,16 +11,17 @@ pub(super) struct Polar {
     pub(super) dc: f32,
     /// The hue difference as a length, 2 sqrt(C1 C2) sin(dh / 2), with the sign of `cross`.
     pub(super) dh: f32,
-    /// C1 C2 sin(h2 - h1): which way round from the first hue to the second; 0 for hues that
-    /// are equal or exactly opposite.
+    /// C1 C2 sin(h2 - h1), whose sign says in which sense one turns from the first hue to the second. It is 0
+    /// for hues that are equal or exactly opposite.
     pub(super) cross: f32,
-    /// Are the hues 90 degrees apart or more?
+    /// Whether the hues are 90 degrees apart or more.
     pub(super) far: bool,
 }
 
-/// The chroma and hue difference of two colors whose a counts `stretch` times, from differences
-/// of coordinates rather than of chromas and angles: what two near colors share then cannot
-/// drown what they differ by. Swapping the colors changes signs, and nothing else.
+/// Computes the chroma and hue differences of two colors, with a\* multiplied by `stretch`.
+///
+/// They are computed from differences of coordinates, not of chromas and angles, so that nothing cancels when
+/// the colors are near each other. Swapping the colors changes signs and nothing else.
 pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
     let (a1, a2, da) = (stretch * x.a, stretch * y.a, stretch * (y.a - x.a));
     let (b1, b2, db) = (x.b, y.b, y.b - x.b);
@@ -28,7 +29,8 @@ pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
     let sum = c1 + c2;
     let dc = if sum == 0.0 { 0.0 } else { ((a1 + a2) * da + (b1 + b2) * db) / sum };
     let dot = a1 * a2 + b1 * b2;
-    // Any color on the line through both will do here; the one nearest to gray rounds least.
+    // The cross product may be taken with any color on the line through both. The one nearest to gray rounds
+    // least.
     let (a, b) = if c1 < c2 {
         (a1, b1)
     } else if c2 < c1 {
@@ -39,32 +41,39 @@ pub(super) fn polar(x: Lab, y: Lab, stretch: f32) -> Polar {
     let cross = a * db - b * da;
     let far = dot <= 0.0;
     let dh = if far {
-        // Beyond a right angle the cross product falls again (to nothing at 180 degrees).
+        // Beyond a right angle the cross product decreases again, to zero at 180 degrees.
         let size = sqrt(2.0 * (c1 * c2 - dot));
         if cross < 0.0 { -size } else { size }
     } else {
         let square = 0.5 * (c1 * c2 + dot);
-        // Of chromas below 1e-22 it may underflow, and so will the square of what they differ by.
+        // With chromas below 1e-22 this may underflow, and then the square of the difference would too.
         if square == 0.0 { 0.0 } else { cross / sqrt(square) }
     };
     Polar { c1, c2, dc, dh, cross, far }
 }
 
-/// The application that [`cie94`] takes its parametric factor and weights from.
+/// The application that decides which parametric factor and weights [`cie94`] uses.
+///
+/// See the [example](cie94#example).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cie94Weights {
-    /// kL = 1, K1 = 0.045, K2 = 0.015
+    /// The weights that graphic arts use: kL = 1, K1 = 0.045, K2 = 0.015.
+    ///
+    /// See the [example](cie94#example).
     GraphicArts,
-    /// kL = 2, K1 = 0.048, K2 = 0.014
+    /// The weights that the textile industry uses: kL = 2, K1 = 0.048, K2 = 0.014.
+    ///
+    /// See the [example](cie94#example).
     Textiles,
 }
 
-/// CIE 1976 color difference, the distance in CIELAB.
+/// Computes the CIE 1976 color difference, which is the distance in CIELAB.
 ///
 /// # Accuracy
 /// 1.5e-7 relative, in whatever order the colors come; zero only for equal ones.
 ///
+/// # Example
 /// ```
 /// use nanospectra::color::{Lab, cie76};
 /// assert_eq!(cie76(Lab::new(50.0, 10.0, 0.0), Lab::new(50.0, 13.0, 4.0)), 5.0);
@@ -74,24 +83,43 @@ pub fn cie76(x: Lab, y: Lab) -> f32 {
     length(y.l - x.l, y.a - x.a, y.b - x.b)
 }
 
-/// HyAB: city-block in lightness, distance in a and b; for large differences.
+/// Computes the HyAB difference, which is meant for large color differences.
+///
+/// It adds the size of the lightness difference to the distance in a\* and b\*.
 ///
 /// # Reference
 /// S. Abasi, M. Amani Tehran, M. D. Fairchild, "Distance metrics for very large color
 /// differences", Color Res. Appl. 45 (2020).
+///
+/// # Example
+/// ```
+/// use nanospectra::color::{Lab, hyab};
+/// assert_eq!(hyab(Lab::new(50.0, 0.0, 0.0), Lab::new(60.0, 3.0, 4.0)), 10.0 + 5.0);
+/// ```
 #[must_use]
 pub fn hyab(x: Lab, y: Lab) -> f32 {
     (y.l - x.l).abs() + length(0.0, y.a - x.a, y.b - x.b)
 }
 
-/// CIE 1994 color difference; the weights come from the chroma of the `reference`, so it is
-/// not symmetric.
+/// Computes the CIE 1994 color difference of a sample from a reference.
+///
+/// The weights depend on the chroma of the `reference`, so swapping the colors changes the result.
 ///
 /// # Accuracy
 /// 4e-7 relative.
 ///
 /// # Reference
 /// CIE 116-1995.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::{Cie94Weights, Lab, cie94};
+/// // From a gray, a chroma difference counts in full: its length is 5.
+/// let (gray, sample) = (Lab::new(50.0, 0.0, 0.0), Lab::new(50.0, 3.0, 4.0));
+/// assert!((cie94(gray, sample, Cie94Weights::GraphicArts) - 5.0).abs() < 1e-6);
+/// // For textiles a lightness difference counts half.
+/// assert_eq!(cie94(gray, Lab::new(60.0, 0.0, 0.0), Cie94Weights::Textiles), 5.0);
+/// ```
 #[must_use]
 pub fn cie94(reference: Lab, sample: Lab, weights: Cie94Weights) -> f32 {
     let Polar { c1, dc, dh, .. } = polar(reference, sample, 1.0);
@@ -102,15 +130,27 @@ pub fn cie94(reference: Lab, sample: Lab, weights: Cie94Weights) -> f32 {
     length((sample.l - reference.l) / k_l, dc / (1.0 + k1 * c1), dh / (1.0 + k2 * c1))
 }
 
-/// CMC(l:c) color difference; `l` and `c` are 2 and 1 for acceptability, 1 and 1 for
-/// perceptibility. The weights come from the `reference`, so it is not symmetric.
+/// Computes the CMC(l:c) color difference of a sample from a reference.
+///
+/// `l` and `c` are 2 and 1 to judge whether a difference is acceptable, 1 and 1 to judge whether it can be
+/// seen. The weights depend on the `reference`, so swapping the colors changes the result.
 ///
 /// # Accuracy
-/// 5e-7 relative, but for the formula's own steps at L\* = 16 and at hues of 164 and 345
+/// 5e-7 relative, except at the steps that the formula itself has, at L\* = 16 and at hues of 164 and 345
 /// degrees.
 ///
 /// # Reference
 /// BS 6923:1988; ISO 105-J03.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::{Lab, cmc};
+/// // Two grays: the lightness difference of 10 is divided by l and by
+/// // S_L = 0.040975 * 50 / (1 + 0.01765 * 50).
+/// let (gray, sample) = (Lab::new(50.0, 0.0, 0.0), Lab::new(60.0, 0.0, 0.0));
+/// assert!((cmc(gray, sample, 1.0, 1.0) - 9.1885).abs() < 1e-3);
+/// assert!((cmc(gray, sample, 2.0, 1.0) - 4.5943).abs() < 1e-3);
+/// ```
 #[must_use]
 pub fn cmc(reference: Lab, sample: Lab, l: f32, c: f32) -> f32 {
     let Lab { l: l1, a, b } = reference;
@@ -123,8 +163,10 @@ pub fn cmc(reference: Lab, sample: Lab, l: f32, c: f32) -> f32 {
     length((sample.l - l1) / (l * s_l), dc / (c * s_c), dh / s_h)
 }
 
-/// T of CMC(l:c): cosines of hue plus a constant, which are a / C and b / C turned, so that
-/// no angle is needed; nor for the sector, which is a matter of two half planes.
+/// Computes the hue weight T of CMC(l:c) without angles.
+///
+/// The cosine of a hue plus a constant is a combination of a / C and b / C, and the sector of hues is found
+/// as two half planes.
 fn cmc_hue_weight(a: f32, b: f32, c: f32) -> f32 {
     // cos and sin of 168, 35, 164 and 345 degrees
     const COS_168: f32 = -0.978_147_6;
@@ -136,10 +178,10 @@ fn cmc_hue_weight(a: f32, b: f32, c: f32) -> f32 {
     const COS_345: f32 = 0.965_925_8;
     const SIN_345: f32 = -0.258_819_05;
     if c == 0.0 {
-        return 0.0; // a gray has no hue, and no weight for it
+        return 0.0; // a gray has no hue, and its hue difference is zero
     }
-    // The sector is 181 degrees wide, so it is the union of two half planes: counterclockwise
-    // of 164, or clockwise of 345.
+    // The sector from 164 to 345 degrees is 181 degrees wide, so it is the union of two half planes: the one
+    // counterclockwise of 164 and the one clockwise of 345.
     let after = COS_164 * b - SIN_164 * a >= 0.0;
     let before = COS_345 * b - SIN_345 * a <= 0.0;
     if after || before {
@@ -149,7 +191,7 @@ fn cmc_hue_weight(a: f32, b: f32, c: f32) -> f32 {
     }
 }
 
-/// The length of a difference.
+/// Returns the length of a difference.
 fn length(x: f32, y: f32, z: f32) -> f32 {
     sqrt(x * x + y * y + z * z)
 }

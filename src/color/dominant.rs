@@ -3,40 +3,53 @@
 use crate::color::{Xy, Xyz};
 use crate::observer::FineObserver;
 
-/// Closer to the white than this, in x, y, rounding decides the hue.
+/// The distance from the white, in x, y, within which rounding decides the hue.
 const ACHROMATIC: f32 = 1e-5;
-/// Cuts as far out as this share of the outermost are the same one, seen twice.
+/// The share of the largest distance from which on two crossings with the locus count as equally far out. (At
+/// its ends the locus runs back along itself, so that a ray crosses it twice at nearly one place.)
 const SAME_CUT: f32 = 0.999;
-/// A ray this near to a node of the locus, in radians, may touch it.
+/// The angle in radians within which a ray may touch a node of the locus.
 const TOUCH: f32 = 1e-4;
-/// Beyond about 410 and 690 nm the locus folds back on itself; of two cuts there the one nearer to this, in
-/// nm, is the color that one sees.
+/// Below about 410 nm and above about 690 nm the locus runs back along itself. Of two crossings there, the
+/// one whose wavelength is nearer to this one, in nm, is taken.
 const MIDDLE_NM: f32 = 555.0;
 
-/// The spectral color that gives a color when it is mixed with white, and its part in the mixture.
+/// The wavelength of the spectral color that gives a color when it is mixed with white, and how pure the
+/// color is.
+///
+/// [`dominant_wavelength`] returns it. See the [example](dominant_wavelength#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DominantWavelength {
-    /// Dominant wavelength in nm; for a purple the complementary one, negative: -499.6 nm.
+    /// The dominant wavelength in nm, or for a purple, which has none, the complementary wavelength with a
+    /// minus sign (-499.6).
+    ///
+    /// See the [example](dominant_wavelength#example).
     pub nm: f32,
-    /// Excitation purity: the distance from the white over that of the boundary (the spectrum
-    /// locus, or the purple line), 0..=1 for real colors.
+    /// The excitation purity, which is 0 for the white and 1 for a spectral color.
+    ///
+    /// It is the distance of the color from the white over that of the boundary (the spectrum locus or the
+    /// purple line) in the same direction, 0..=1 for real colors. See the
+    /// [example](dominant_wavelength#example).
     pub purity: f32,
 }
 
-/// The dominant wavelength and purity of `sample` as seen against `white`; `None` if it is
-/// within 1e-5 of the white, or not a number. The white must be a real color, inside the locus.
+/// Finds the dominant wavelength and the excitation purity of `sample` as seen against `white`.
 ///
-/// The ray from the white through the sample is cut with the spectrum locus of `eye`, straight
-/// between its 1 nm nodes, or with the purple line between its ends.
+/// `eye` is the observer to which both chromaticities belong. The white must be a real color, inside the
+/// spectrum locus. The result is `None` if the sample is within 1e-5 of the white or is not a number.
+///
+/// The ray from the white through the sample is intersected with the spectrum locus of `eye`, which is taken
+/// as straight between its 1 nm nodes, or with the purple line between its ends.
 ///
 /// # Accuracy
-/// 0.002 nm and 3e-7 of purity on 610 goldens between 405 and 680 nm; outside that the locus folds back on
-/// itself and the wavelength means little.
+/// 0.002 nm and 3e-7 of purity on 610 reference values between 405 and 680 nm. Outside that range the locus
+/// runs back along itself and the wavelength does not mean much.
 ///
 /// # Reference
 /// CIE 15:2018, 10.4; the sign of the complementary wavelength follows ASTM E308.
 ///
+/// # Example
 /// ```
 /// # use nanospectra::{color::{Xy, dominant_wavelength}, observer::CIE_1931};
 /// let equal_energy = Xy::new(1.0 / 3.0, 1.0 / 3.0);
@@ -55,8 +68,8 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     if let Some((nm, reach)) = locus.cut(ray) {
         return Some(DominantWavelength { nm, purity: share(length, reach) });
     }
-    // A deep red or violet light lies on the fold at an end of the locus, on or beyond the purple line, where
-    // a ray that just touches the fold cuts nothing.
+    // A deep red or violet light lies where the locus turns back at one of its ends, on or beyond the purple
+    // line. A ray that just touches the locus there crosses nothing.
     let purple = locus.purple(ray);
     let (touched, reach, angle) = locus.nearest(ray)?;
     if angle < TOUCH && purple.is_none_or(|purple| length > purple * (1.0 - 1e-6)) {
@@ -66,7 +79,7 @@ pub fn dominant_wavelength(sample: Xy, white: Xy, eye: &FineObserver<3>) -> Opti
     Some(DominantWavelength { nm: -nm, purity: share(length, purple?) })
 }
 
-/// A purity; what rounding puts beyond a spectral color's 1 is taken off.
+/// Computes a purity, and takes off what rounding adds to the 1 of a spectral color.
 fn share(length: f32, reach: f32) -> f32 {
     let purity = length / reach;
     if purity > 1.0 && purity < 1.000_001 { 1.0 } else { purity }
@@ -87,7 +100,7 @@ struct Locus<'a> {
 }
 
 impl Locus<'_> {
-    /// A node as (nm, vector from the white), where the eye sees anything.
+    /// Returns a node as (nm, vector from the white), if the eye responds at its wavelength.
     fn node(&self, k: usize) -> Option<(f32, [f32; 2])> {
         let [Some(x), Some(y), Some(z)] = self.eye.weights().each_ref().map(|row| row.get(k)) else {
             return None;
@@ -100,8 +113,8 @@ impl Locus<'_> {
         (0..471).filter_map(|k| self.node(k))
     }
 
-    /// Where the ray leaves through the locus: the wavelength, and the cut's distance from the white times
-    /// the ray's length. Of several cuts the outermost.
+    /// Finds where the ray crosses the locus, as the wavelength and the distance from the white times the
+    /// length of the ray. Of several crossings it takes the outermost.
     fn cut(&self, ray: [f32; 2]) -> Option<(f32, f32)> {
         let mut found: Option<(f32, f32)> = None;
         let mut before = None;
@@ -123,15 +136,15 @@ impl Locus<'_> {
         found
     }
 
-    /// The node that the ray passes at the smallest angle: its wavelength, distance as in [`cut`](Self::cut),
-    /// and the tangent of that angle.
+    /// Finds the node that the ray passes at the smallest angle, and returns its wavelength, its distance as
+    /// in [`cut`](Self::cut), and the tangent of that angle.
     fn nearest(&self, ray: [f32; 2]) -> Option<(f32, f32, f32)> {
         let ahead = self.nodes().map(|(nm, node)| (nm, dot(ray, node), cross(ray, node).abs()));
         let angles = ahead.filter(|node| node.1 > 0.0).map(|(nm, reach, off)| (nm, reach, off / reach));
         angles.reduce(|best, node| if node.2 < best.2 { node } else { best })
     }
 
-    /// The same distance for the purple line.
+    /// Returns the distance, as in [`cut`](Self::cut), at which the ray crosses the purple line.
     fn purple(&self, ray: [f32; 2]) -> Option<f32> {
         let (blue, red) = (self.nodes().next()?.1, self.nodes().next_back()?.1);
         let (from, to) = (cross(ray, blue), cross(ray, red));

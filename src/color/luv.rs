@@ -1,30 +1,54 @@
-//! CIELUV.
+//! The CIELUV color space.
 
 use crate::color::Xyz;
 use crate::color::lab::{lightness, luminance};
 use crate::tristimulus::shown_by_name;
 
-/// A color in CIE 1976 L\*u\*v\* (CIELUV). The reference white is not stored; keep it with the color.
+/// A color in CIE 1976 L\*u\*v\* (CIELUV), a space that is derived from the u', v' diagram.
+///
+/// [`Xyz::luv`] computes it, and [`Luv::xyz`] leads back. The reference white is not stored; keep it with the
+/// color.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::{Luv, Xyz};
+/// let d65 = Xyz::new(95.047, 100.0, 108.883);
+/// let red = Xyz::new(41.2456, 21.2673, 1.9334); // the red of sRGB
+/// let luv = red.luv(d65).ok_or("no white")?;
+/// assert!((luv.l - 53.24).abs() < 0.01 && (luv.u - 175.01).abs() < 0.01 && (luv.v - 37.76).abs() < 0.01);
+///
+/// let back = Luv::new(luv.l, luv.u, luv.v).xyz(d65).ok_or("no such light")?;
+/// assert!((back.x - red.x).abs() < 1e-3 && (back.z - red.z).abs() < 1e-3);
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Luv {
-    /// L\*, lightness, the same as in CIELAB.
+    /// The lightness L\*, which is the same as in CIELAB.
+    ///
+    /// See the [example](Luv#example).
     pub l: f32,
-    /// u\* = 13 L\* (u' - u'n)
+    /// The coordinate u\*, which is 13 L\* (u' - u'n), with u'n of the white.
+    ///
+    /// See the [example](Luv#example).
     pub u: f32,
-    /// v\* = 13 L\* (v' - v'n)
+    /// The coordinate v\*, which is 13 L\* (v' - v'n), with v'n of the white.
+    ///
+    /// See the [example](Luv#example).
     pub v: f32,
 }
 
 shown_by_name!(Luv: "L*" l, "u*" u, "v*" v);
 
 impl Xyz {
-    /// CIELUV relative to `white`, which is on the same scale as the color.
+    /// Converts the color to CIELUV relative to `white`.
     ///
-    /// Black, and anything else without luminance, is (0, 0, 0). `None` when the white has no
-    /// luminance or no chromaticity (a component sum of zero or less), or the color has none
-    /// and is not black. NaN stays NaN. Unlike CIELAB it accepts a white whose Z is
+    /// The white must be on the same scale as the color. Unlike CIELAB, CIELUV accepts a white whose Z is
     /// zero.
+    ///
+    /// Black, and anything else without luminance, is (0, 0, 0). The result is `None` if the white has no
+    /// luminance or no chromaticity (a component sum of zero or less), or if the color has no chromaticity
+    /// and is not black. NaN stays NaN. See the [example](Luv#example).
     ///
     /// # Accuracy
     /// 7e-5 on real colors (`tests/color/spaces.rs`).
@@ -46,7 +70,7 @@ impl Xyz {
         if l.is_infinite() {
             return None;
         }
-        // u' - u'n and v' - v'n with the terms left out that are the same in both.
+        // u' - u'n and v' - v'n, without the terms that would cancel.
         let du = 60.0 * (x * yn - xn * y) + 12.0 * (x * zn - xn * z);
         let dv = 9.0 * (xn * y - x * yn) + 27.0 * (y * zn - yn * z);
         Some(Luv { l, u: 13.0 * l * du, v: 13.0 * l * dv })
@@ -54,16 +78,18 @@ impl Xyz {
 }
 
 impl Luv {
-    /// L\*, u\*, v\*.
+    /// Makes a color from L\*, u\* and v\*.
+    ///
+    /// See the [example](Luv#example).
     #[must_use]
     pub const fn new(l: f32, u: f32, v: f32) -> Self {
         Luv { l, u, v }
     }
 
-    /// The tristimulus values, on the scale of `white`; L\* = 0 is black.
+    /// Converts the color back to tristimulus values, on the scale of `white`.
     ///
-    /// `None` when the white has no chromaticity, or v' is not above zero: there is no such
-    /// light. L\* beyond 1e12 in size overflows.
+    /// L\* = 0 is black. The result is `None` if the white has no chromaticity, or if v' of the color is not
+    /// above zero, which no light has. L\* beyond 1e12 in size overflows. See the [example](Luv#example).
     #[must_use]
     pub fn xyz(self, white: Xyz) -> Option<Xyz> {
         let [xn, yn, _] = fractions(white)?;
@@ -81,9 +107,10 @@ impl Luv {
     }
 }
 
-/// X, Y, Z over X + 15 Y + 3 Z: a quarter of u' is the first, a ninth of v' the second.
+/// Divides X, Y, Z by X + 15 Y + 3 Z; the first of these is a quarter of u', the second a ninth of v'.
 ///
-/// `None` where the sum is not above zero, overflows, or has canceled: no light is like that.
+/// The result is `None` if the sum is not above zero, overflows, or is tiny because its terms cancel. No
+/// light is like that.
 fn fractions(color: Xyz) -> Option<[f32; 3]> {
     let sum = color.x + 15.0 * color.y + 3.0 * color.z;
     if sum <= 0.0 || sum.is_infinite() {

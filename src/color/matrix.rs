@@ -1,13 +1,13 @@
-//! The few 3x3 matrices color needs: derived once in f64 by the compiler, applied in f32.
+//! The 3x3 matrices of this module, which the compiler derives in f64 and which are applied in f32.
 
 use crate::math::const_for;
 
-/// Row-major, for const evaluation only.
+/// A matrix, row by row, with which the compiler computes.
 pub(crate) type Matrix64 = [[f64; 3]; 3];
-/// Row-major, in the precision of run time.
+/// A matrix, row by row, in the precision of run time.
 pub(crate) type Matrix = [[f32; 3]; 3];
 
-/// The product a b.
+/// Returns the product a b.
 pub(crate) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
     let mut out = [[0.0; 3]; 3];
     const_for!(0..3, |i| {
@@ -16,7 +16,7 @@ pub(crate) const fn product64(a: &Matrix64, b: &Matrix64) -> Matrix64 {
     out
 }
 
-/// The inverse by cofactors; not finite where there is none.
+/// Returns the inverse by cofactors, which is not finite if there is none.
 pub(crate) const fn inverse64(m: &Matrix64) -> Matrix64 {
     let [[a, b, c], [d, e, f], [g, h, i]] = *m;
     let det = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
@@ -27,14 +27,14 @@ pub(crate) const fn inverse64(m: &Matrix64) -> Matrix64 {
     ]
 }
 
-/// The product m v.
+/// Returns the product m v.
 pub(crate) const fn apply64(m: &Matrix64, v: [f64; 3]) -> [f64; 3] {
     let [a, b, c] = m;
     let [x, y, z] = v;
     [a[0] * x + a[1] * y + a[2] * z, b[0] * x + b[1] * y + b[2] * z, c[0] * x + c[1] * y + c[2] * z]
 }
 
-/// Column `j` of `m` times `k[j]`: m diag(k).
+/// Multiplies column `j` of `m` by `k[j]`, which gives m diag(k).
 pub(crate) const fn scale_columns64(m: &Matrix64, k: [f64; 3]) -> Matrix64 {
     let [a, b, c] = *m;
     [
@@ -44,7 +44,7 @@ pub(crate) const fn scale_columns64(m: &Matrix64, k: [f64; 3]) -> Matrix64 {
     ]
 }
 
-/// Rounded to f32, each element once.
+/// Rounds each element to f32.
 pub(crate) const fn rounded(m: &Matrix64) -> Matrix {
     let [a, b, c] = *m;
     [
@@ -54,7 +54,7 @@ pub(crate) const fn rounded(m: &Matrix64) -> Matrix {
     ]
 }
 
-/// The product m v.
+/// Returns the product m v.
 pub(crate) const fn apply(m: &Matrix, v: [f32; 3]) -> [f32; 3] {
     let [a, b, c] = m;
     let [x, y, z] = v;

@@ -1,29 +1,70 @@
-//! Colorimetry: chromaticity, correlated color temperature, CIELAB, color differences, RGB, color rendering.
+//! Computes from tristimulus values what a color looks like and how well a lamp shows colors.
+//!
+//! Everything starts from [`Xyz`], which an [`Observer`](crate::Observer) reports of light:
+//!
+//! ```
+//! use nanospectra::color::{Rgb, Srgb, Xyz};
+//! use nanospectra::{light, observer::CIE_1931};
+//!
+//! // Daylight D65, on the scale on which it is its own white (Y = 100).
+//! let white = Xyz::from(CIE_1931.sees(&light::D65.fine())).with_y(100.0).ok_or("dark")?;
+//! let xy = white.xy().ok_or("dark")?;
+//! assert!((xy.x - 0.3127).abs() < 1e-4 && (xy.y - 0.3290).abs() < 1e-4);
+//! let (cct_k, duv) = white.cct().and_then(|cct| cct.near()).ok_or("not a white")?;
+//! assert!((cct_k - 6504.0).abs() < 2.0 && (duv - 0.0032).abs() < 1e-4);
+//!
+//! // A gray card that reflects 18.42 % of it looks half as light as white, which sRGB encodes as #777777.
+//! let card = white.scaled(0.1842);
+//! let lab = card.lab(white).ok_or("no white")?;
+//! assert!((lab.l - 50.0).abs() < 0.01);
+//! # #[cfg(feature = "libm")]
+//! assert_eq!(Rgb::<Srgb>::from_xyz(card).clip().rgb.encode().to_u8(), [0x77; 3]);
+//! # Ok::<(), &str>(())
+//! ```
+//!
+//! | what is wanted | where to start |
+//! |---|---|
+//! | chromaticity | [`Xyz::xy`], [`Xyz::uv1960`], [`Xyz::uv1976`] |
+//! | correlated color temperature and Duv | [`Xyz::cct`] |
+//! | dominant wavelength and purity | [`dominant_wavelength()`] |
+//! | CIELAB, CIELUV, Oklab | [`Xyz::lab`], [`Xyz::luv`], [`Xyz::oklab`] |
+//! | color difference | [`Xyz::delta_e`], [`ciede2000()`], [`cie76()`], [`cie94()`], [`cmc()`], [`hyab()`] |
+//! | the corresponding color under another white | [`Adaptation`] |
+//! | a pixel, and its way into the gamut | [`Rgb`], [`EncodedRgb`], [`GamutMapped`] |
+//! | color rendering of a lamp | [`cri()`], [`tm30()`] |
+//! | a renderer that computes in RGB or in spectra | [`RgbBands`] |
 
-mod adaptation;
-#[cfg(feature = "libm")]
-mod cam02ucs;
+pub(crate) mod matrix;
+
 mod cct;
-mod ciede2000;
-#[cfg(feature = "libm")]
-mod cri;
-mod difference;
 mod dominant;
-mod gamut;
+
 mod lab;
 mod luv;
-pub(crate) mod matrix;
 mod oklab;
-#[cfg(feature = "libm")]
-mod reference;
+
+mod ciede2000;
+mod difference;
+
+mod adaptation;
+
 mod rgb;
 mod rgb_bands;
 mod rgb_space;
+pub mod transfer;
+
+mod gamut;
+
+#[cfg(feature = "libm")]
+mod cam02ucs;
+#[cfg(feature = "libm")]
+mod cri;
+#[cfg(feature = "libm")]
+mod reference;
 #[cfg(feature = "libm")]
 mod test_colors;
 #[cfg(feature = "libm")]
 mod tm30;
-pub mod transfer;
 
 pub use crate::tristimulus::{Uv1960, Uv1976, Xy, Xyz};
 pub use adaptation::{Adaptation, Bradford, Cat02, Cat16, ConeResponses, VonKries};

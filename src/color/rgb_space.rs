@@ -1,4 +1,4 @@
-//! RGB spaces: each is a type, with matrices that the compiler derives from the chromaticities in its
+//! RGB spaces. Each is a type, with matrices that the compiler derives from the chromaticities of the
 //! standard.
 
 use core::fmt::Debug;
@@ -7,11 +7,13 @@ use crate::color::Xyz;
 use crate::color::matrix::{apply64, inverse64, rounded, scale_columns64};
 use crate::color::transfer::{self, Transfer};
 
-/// What defines an RGB space: three primaries, a white, and the usual transfer function.
+/// An RGB space, which is defined by three primaries, a white, and its usual transfer function.
 ///
-/// The compiler derives the matrices from the chromaticities, in f64. A space of your own is a type of your
-/// own:
+/// [`Srgb`], [`DisplayP3`], [`Bt2020`], [`AdobeRgb`] and [`AcesCg`] implement it; [`Rgb`](crate::color::Rgb)
+/// takes one of them as its type parameter. The compiler derives the matrices from the chromaticities, in
+/// f64. Implement this trait for another space, with a type that stands for it.
 ///
+/// # Example
 /// ```
 /// use nanospectra::color::{Rgb, RgbSpace, Xyz, transfer};
 /// #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,52 +23,77 @@ use crate::color::transfer::{self, Transfer};
 ///     const WHITE: [f64; 2] = [0.31006, 0.31616]; // illuminant C
 ///     type Transfer = transfer::Bt1886;
 /// }
-/// let luma = Ntsc1953::TO_XYZ[1]; // the 0.30, 0.59, 0.11 of analog television
+/// // The weights 0.30, 0.59 and 0.11 of analog television.
+/// let luma = Ntsc1953::TO_XYZ[1];
 /// assert!((luma[0] - 0.299).abs() < 5e-4 && (luma[1] - 0.587).abs() < 5e-4);
+/// let white = Rgb::<Ntsc1953>::from_xyz(Ntsc1953::WHITE_XYZ);
+/// assert!((white.g - 1.0).abs() < 1e-6);
 /// ```
 pub trait RgbSpace: Copy + Debug + 'static {
-    /// x, y of red, green and blue.
+    /// The chromaticities x, y of the red, green and blue primaries, as the standard gives them.
+    ///
+    /// See the [example](RgbSpace#example).
     const PRIMARIES: [[f64; 2]; 3];
-    /// x, y of the white, as the standard gives it.
+    /// The chromaticity x, y of the white, as the standard gives it.
+    ///
+    /// See the [example](RgbSpace#example).
     const WHITE: [f64; 2];
-    /// The transfer function the space is used with.
+    /// The transfer function with which the space is usually used.
+    ///
+    /// See the [example](RgbSpace#example).
     type Transfer: Transfer;
 
-    /// Linear RGB to X, Y, Z as standards print the matrix, row-major: its white has Y = 1, a hundredth of
-    /// what an [`Xyz`] has. [`Rgb::xyz`](crate::color::Rgb::xyz) applies it and multiplies by 100.
+    /// The matrix that takes linear RGB to X, Y, Z, row by row, as standards print it.
+    ///
+    /// Its white has Y = 1, a hundredth of what an [`Xyz`] has. [`Rgb::xyz`](crate::color::Rgb::xyz) applies
+    /// the matrix and multiplies by 100. See the [example](RgbSpace#example).
     const TO_XYZ: [[f32; 3]; 3] = rounded(&to_xyz64(&Self::PRIMARIES, Self::WHITE));
-    /// The inverse of [`TO_XYZ`](Self::TO_XYZ), from X, Y, Z with Y = 1 for white to linear RGB.
+    /// The inverse of [`TO_XYZ`](Self::TO_XYZ), which takes X, Y, Z with Y = 1 for white to linear RGB.
     const FROM_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&to_xyz64(&Self::PRIMARIES, Self::WHITE)));
-    /// The white as a color, Y = 100: what to adapt to before [`Rgb::from_xyz`](crate::color::Rgb::from_xyz).
+    /// The tristimulus values of the white, which has Y = 100.
+    ///
+    /// This is the white to which a color is adapted before [`Rgb::from_xyz`](crate::color::Rgb::from_xyz).
+    /// See the [example](RgbSpace#example).
     const WHITE_XYZ: Xyz = {
         let [x, y, z] = column(Self::WHITE);
         Xyz { x: (100.0 * x) as f32, y: (100.0 * y) as f32, z: (100.0 * z) as f32 }
     };
 }
 
-/// sRGB, IEC 61966-2-1: primaries of BT.709, D65.
+/// The sRGB space of IEC 61966-2-1, which has the primaries of BT.709, D65 as its white and
+/// [`SrgbTransfer`](transfer::SrgbTransfer).
+///
+/// See the [example](crate::color::Rgb#example).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Srgb;
-/// Display P3: the primaries of DCI-P3, with D65 and the transfer function of sRGB.
+/// The Display P3 space, which has the primaries of DCI-P3, D65 as its white and the transfer function of
+/// sRGB.
+///
+/// See the [example](crate::color::Rgb#example).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DisplayP3;
-/// BT.2020 with the transfer function of a BT.1886 display; encoded by [`transfer::Pq`] or [`transfer::Hlg`]
-/// it is BT.2100.
+/// The BT.2020 space of ultra-high-definition television, which has D65 as its white and the transfer
+/// function of a [`Bt1886`](transfer::Bt1886) display.
+///
+/// Encoded by [`transfer::Pq`] or [`transfer::Hlg`] it is BT.2100, as in this
+/// [example](crate::color::Rgb::encode_with).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bt2020;
-/// Adobe RGB (1998).
+/// The Adobe RGB (1998) space, which has D65 as its white and a transfer function of its own,
+/// [`AdobeRgbTransfer`](transfer::AdobeRgbTransfer).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AdobeRgb;
-/// ACEScg: AP1 primaries, the ACES white (near D60), linear.
+/// The ACEScg space of film rendering, which has the AP1 primaries, the ACES white (near D60) and linear code
+/// values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AcesCg;
 
-/// x, y of D65 as the RGB standards round it.
+/// The chromaticity x, y of D65, as the RGB standards round it.
 const D65: [f64; 2] = [0.3127, 0.3290];
 
 impl RgbSpace for Srgb {
@@ -95,13 +122,13 @@ impl RgbSpace for AcesCg {
     type Transfer = transfer::LinearTransfer;
 }
 
-/// The color of chromaticity `xy` with Y = 1.
+/// Returns X, Y, Z of the chromaticity `xy` with Y = 1.
 const fn column(xy: [f64; 2]) -> [f64; 3] {
     [xy[0] / xy[1], 1.0, (1.0 - xy[0] - xy[1]) / xy[1]]
 }
 
-/// The matrix to X, Y, Z with Y = 1 for white: the primaries as columns, in the proportion whose sum is the
-/// white.
+/// Derives the matrix to X, Y, Z with Y = 1 for white. Its columns are the primaries, in the proportion in
+/// which they add up to the white.
 pub(crate) const fn to_xyz64(primaries: &[[f64; 2]; 3], white: [f64; 2]) -> [[f64; 3]; 3] {
     let [r, g, b] = [column(primaries[0]), column(primaries[1]), column(primaries[2])];
     let m = [[r[0], g[0], b[0]], [r[1], g[1], b[1]], [r[2], g[2], b[2]]];

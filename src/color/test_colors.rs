@@ -1,12 +1,14 @@
 //! X, Y, Z of the CIE 13.3 test colors under a light, and under its reference.
 //!
-//! The method reads the samples, tabulated every 5 nm, by Sprague's interpolation, and sums every nanometer:
-//! 45 sums of 471 products. The order can be turned round: the interpolation's weights spread light times
-//! color-matching function onto the nodes, once for all samples, and a sum has 99 products. The numbers are
-//! the same but for rounding, for half of the work, and 6 KB of samples in place of 28.
+//! In the order of the standard, the samples, which are tabulated every 5 nm, are interpolated to 1 nm by
+//! Sprague's method and then summed: 45 sums of 471 products. Here the transpose of the interpolation is
+//! applied to the product of light and color-matching function, once for all samples, which takes it to the
+//! 5 nm nodes. Then each sum has 99 products. The results are the same but for rounding, for half of the
+//! work, and the samples take 6 KB in place of 28.
 //!
-//! A reference is a sum of a few spectra, so its colors are the same sum of theirs, which the compiler works
-//! out: three spectra for daylight, a Chebyshev series of ten for a black body.
+//! A reference light is a weighted sum of a few spectra: three for daylight, a Chebyshev series of ten for a
+//! black body. The colors under it are the same weighted sum of the colors under those spectra, which the
+//! compiler computes.
 
 use crate::light::{S0, S1, S2, daylight_factors};
 use crate::math::const_for;
@@ -16,13 +18,14 @@ use crate::test_samples::{TCS, TCS_5NM};
 
 include!(concat!(env!("OUT_DIR"), "/reference.rs"));
 
-/// X, Y, Z of the 15 samples and, as the last, of the white itself.
+/// X, Y and Z of the 15 samples, and of the white as the last.
 pub(super) type Colors = [[f32; 16]; 3];
 
-/// Nodes of 5 nm from 350 to 840 nm: two beyond each end of the CIE's range.
+/// The number of nodes every 5 nm from 350 to 840 nm, two beyond each end of the CIE's range.
 const NODES: usize = 99;
 
-/// Samples at the nodes. Beyond the ends stands what the boundary formula takes there.
+/// The samples at the nodes. The two beyond each end hold what the boundary formula of the interpolation
+/// assumes there.
 static SAMPLES: [[f32; 16]; NODES] = {
     let mut samples = [[1.0; 16]; NODES];
     const_for!(0..15, |k| {
@@ -41,10 +44,10 @@ static SAMPLES: [[f32; 16]; NODES] = {
     samples
 };
 
-/// Shares of the six nodes around, 1 to 4 nm after a node.
+/// The weights that the interpolation gives to the six nodes around, for 1 to 4 nm after a node.
 const SHARES: [[f32; 6]; 4] = [quintic(0.2), quintic(0.4), quintic(0.6), quintic(0.8)];
 
-/// The colors under a light.
+/// Computes the colors under a light.
 pub(super) fn under(light: &Fine<Power>) -> Colors {
     let mut colors = [[0.0; 16]; 3];
     for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {
@@ -55,9 +58,10 @@ pub(super) fn under(light: &Fine<Power>) -> Colors {
     colors
 }
 
-/// What a product of each nanometer comes to on the nodes (and nothing on five more).
+/// Multiplies light and color-matching function at each nanometer, and distributes the products to the nodes
+/// by the weights of the interpolation. (The five values after the 99 nodes are zero.)
 fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
-    // From node to node, behind five cells of zeros.
+    // A cell holds the products at a node and at the 4 nm after it. Five cells of zeros precede the first.
     let mut cells = [[0.0; 5]; 112];
     let [_, _, _, _, _, inside @ ..] = &mut cells;
     for (product, (light, row)) in inside.as_flattened_mut().iter_mut().zip(light.iter().zip(row)) {
@@ -76,8 +80,8 @@ fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
     nodes
 }
 
-/// The colors under the reference of this temperature: a black body below 5000 K, and CIE daylight from
-/// there.
+/// Computes the colors under the reference light of this temperature: a black body below 5000 K, CIE
+/// daylight from there.
 pub(super) fn under_reference(cct_k: f32) -> Colors {
     if cct_k < 5000.0 {
         let mired = 1e6 / cct_k;
@@ -91,7 +95,7 @@ pub(super) fn under_reference(cct_k: f32) -> Colors {
     }
 }
 
-/// T0 to T9.
+/// Computes the Chebyshev polynomials T0 to T9.
 fn chebyshev(x: f32) -> [f32; TERMS] {
     let (mut this, mut next) = (1.0, x);
     [(); TERMS].map(|()| {
@@ -101,6 +105,7 @@ fn chebyshev(x: f32) -> [f32; TERMS] {
     })
 }
 
+/// Returns the weighted sum of the colors under several lights.
 fn mixed(shares: &[f32], parts: &[Colors]) -> Colors {
     let mut sum = [[0.0; 16]; 3];
     for (share, part) in shares.iter().zip(parts).rev() {
@@ -131,7 +136,7 @@ static DAYLIGHT_COLORS: [Colors; 3] = {
     colors(&lights, &CIE_1931, &TCS)
 };
 
-/// The sums at every nanometer, in f64 by the compiler.
+/// Computes the colors under given lights by sums over every nanometer, in f64 while compiling.
 const fn colors<const M: usize>(
     lights: &[[f64; 471]; M],
     eye: &FineObserver<3>,

@@ -1,4 +1,4 @@
-//! Color fidelity and gamut after ANSI/IES TM-30-18 (fidelity: CIE 224).
+//! Color fidelity and gamut by ANSI/IES TM-30-18; its fidelity is that of CIE 224.
 
 use crate::color::Xyz;
 use crate::color::cam02ucs::{Cam02Ucs, Viewing};
@@ -8,56 +8,94 @@ use crate::observer::{CIE_1931, CIE_1964, FineObserver};
 use crate::spectrum::{Factor, Fine, Power};
 use crate::test_samples::CES;
 
-/// How a light renders the 99 color evaluation samples.
+/// The measures of TM-30, which describe how a light renders the 99 color evaluation samples.
+///
+/// [`tm30`] computes them. See the [example](tm30#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tm30 {
-    /// Fidelity index, 0..=100.
+    /// The fidelity index Rf, 0..=100, where 100 means that all samples look as under the reference.
+    ///
+    /// See the [example](tm30#example).
     pub rf: f32,
-    /// Gamut index; 100 is the reference's, more is more saturated.
+    /// The gamut index Rg, which is 100 for the reference and larger if colors are more saturated.
+    ///
+    /// See the [example](tm30#example).
     pub rg: f32,
-    /// Fidelity of each sample.
+    /// The fidelity index of each sample, which is 0..=100.
+    ///
+    /// See the [example](tm30#example).
     pub rf_ces: [f32; 99],
-    /// The 16 hue bins, counterclockwise from a' > 0; `None` for one that holds no sample.
+    /// The 16 hue bins, counterclockwise from a' > 0; a bin that holds no sample is `None`.
+    ///
+    /// See the [example](tm30#example).
     pub bins: [Option<HueBin>; 16],
-    /// Correlated color temperature, K.
+    /// The correlated color temperature that the light has, and its reference too, in K.
+    ///
+    /// See the [example](tm30#example).
     pub cct_k: f32,
-    /// Distance from the Planckian locus.
+    /// The distance of the light from the Planckian locus, which is positive above it.
     pub duv: f32,
 }
 
-/// The samples of one sixteenth of the hue circle.
+/// The mean rendering of the samples that fall into one sixteenth of the hue circle.
+///
+/// See the [example](tm30#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HueBin {
-    /// Local fidelity, 0..=100.
+    /// The local fidelity index, 0..=100, of the samples that are in this bin.
     pub rf: f32,
-    /// Local chroma shift, a fraction of the reference's chroma (0.1 is 10 % more).
+    /// The local chroma shift, which is given as a fraction of the reference's chroma (0.1 is 10 % more).
+    ///
+    /// See the [example](tm30#example).
     pub chroma_shift: f32,
-    /// Local hue shift, a fraction of the reference's chroma along the hue circle (nearly radians).
+    /// The local hue shift, which is given as a fraction of the reference's chroma along the hue circle and
+    /// is nearly the angle in radians.
     pub hue_shift: f32,
-    /// How many samples are in it.
+    /// The number of samples that are in this bin.
+    ///
+    /// See the [example](tm30#example).
     pub count: u8,
 }
 
-/// The TM-30-18 method, unrounded.
+/// Computes fidelity, gamut and the hue bins of a light by the TM-30-18 method.
 ///
-/// CIE 1964 observer, sums over 380..=780 nm at 1 nm (also for the color temperature, which is on
-/// the CIE 1931 observer); CAM02-UCS; between 4000 and 5000 K the reference is a mixture of black
-/// body and daylight of equal Y.
+/// The results are not rounded. Colors are those of the CIE 1964 observer in CAM02-UCS, and the color
+/// temperature is that of the CIE 1931 observer; sums are over 380..=780 nm at 1 nm for both. The reference
+/// is a black body up to 4000 K and CIE daylight from 5000 K; in between it is a mixture of both, made of
+/// parts of equal Y.
 ///
 /// # Accuracy
-/// Rf and Rg are within 1.3e-4 of f64, over 63 lamps (`tests/color/rendering.rs`); Rg and the bins jump where
-/// a sample sits on the edge between two bins.
+/// Rf and Rg are within 1.3e-4 of f64, over 63 lamps (`tests/color/rendering.rs`). Rg and the bins change by
+/// a jump where a sample passes the edge between two bins.
 ///
 /// # Cost
 /// 159 KB of samples; some 600 inner products of 401 terms.
 ///
 /// # Errors
-/// [`RenderingError`]: dark, no white, or with values so negative that a sample has no color.
+/// Returns a [`RenderingError`] if the light is dark, if it is not a white, or if it has values so negative
+/// that a sample has no color.
 ///
 /// # Reference
 /// ANSI/IES TM-30-18; CIE 224:2017.
+///
+/// # Example
+/// ```
+/// use nanospectra::{Interpolation, color::tm30, light};
+/// // Illuminant A is a black body, and so its own reference.
+/// let a = tm30(&light::A.fine())?;
+/// assert!(a.rf > 99.9 && (a.rg - 100.0).abs() < 0.1 && (a.cct_k - 2855.5).abs() < 1.0);
+///
+/// // FL4, a warm white fluorescent lamp, shows few saturated colors: its Rg is well below 100.
+/// let lamp = tm30(&light::FL4.interpolate(Interpolation::Sprague))?;
+/// assert!((lamp.rf - 56.700).abs() < 1e-3 && (lamp.rg - 83.491).abs() < 1e-3); // as f64 gives them
+/// // The samples of the first hue bin, reds, lose more than a quarter of their chroma.
+/// let red = lamp.bins[0].ok_or(nanospectra::color::RenderingError::Dark)?;
+/// assert!(red.chroma_shift < -0.25 && red.count > 0);
+/// assert!(lamp.rf_ces.iter().all(|rf| (0.0..=100.0).contains(rf)));
+/// # Ok::<(), nanospectra::color::RenderingError>(())
+/// ```
 pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
     let light = light.within(380.0, 780.0);
     let (cct_k, duv) = temperature(&light)?;
@@ -94,12 +132,13 @@ pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
     })
 }
 
-/// From a mean difference to an index that ends softly at zero.
+/// Converts a mean color difference to a fidelity index, which approaches zero but does not go below.
 fn fidelity(difference: f32) -> f32 {
     let plain = 100.0 - 6.73 * difference;
     10.0 * Portable::ln(Portable::exp(plain / 10.0) + 1.0)
 }
 
+/// Returns the reference light of this temperature, over 380..=780 nm.
 fn reference(cct_k: f32) -> Fine<Power> {
     let black = planckian(cct_k).within(380.0, 780.0);
     if cct_k <= 4000.0 {
@@ -114,7 +153,7 @@ fn reference(cct_k: f32) -> Fine<Power> {
     black * ((1.0 - share) / black_y) + day * (share / day_y)
 }
 
-/// The eye of the method under one light.
+/// The observer and the viewing condition of the method under one light.
 struct Judge {
     eye: FineObserver<3, Factor>,
     viewing: Viewing,
@@ -134,7 +173,8 @@ impl Judge {
         Ok(Judge { eye, viewing: Viewing::new(white.scaled(scale)) })
     }
 
-    /// The samples are tabulated over 380..=780 nm, the middle of the eye's grid.
+    /// Returns the appearance of a sample. (Samples are tabulated over 380..=780 nm, the middle of the
+    /// observer's grid.)
     fn looks_at(&self, sample: &[f32; 401]) -> Cam02Ucs {
         let mut fine = Fine::flat(0.0);
         if let Some(middle) = fine.values_mut().get_mut(20..).and_then(|rest| rest.first_chunk_mut()) {
@@ -144,7 +184,7 @@ impl Judge {
     }
 }
 
-/// Sums over the samples of a bin.
+/// The sums over the samples of a bin.
 #[derive(Clone, Copy, Default)]
 struct Bin {
     test: [f32; 2],
@@ -179,7 +219,7 @@ impl Bin {
     }
 }
 
-/// Area of the polygon of the bins' mean colors; a bin without samples has no corner.
+/// Computes the area of the polygon of the bins' mean colors, to which a bin without samples gives no corner.
 fn area(bins: &[Bin; 16], color: fn(&Bin) -> [f32; 2]) -> f32 {
     let mut corners = bins.iter().filter(|bin| bin.count > 0).map(|bin| {
         let [a, b] = color(bin);

@@ -1,23 +1,44 @@
-//! Transfer functions between linear light and the code values that files and signals hold.
+//! Converts between linear light and the code values that image files and video signals hold.
 //!
-//! Each function is a type, so a program contains only those that it names. `decode` goes from a code value
-//! to linear light, `encode` from linear light to a code value; 1 is white where nothing else is said. All
-//! but [`Pq`] are odd, `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN stays NaN, and
-//! no finite number becomes NaN.
+//! Each transfer function is a type that implements [`Transfer`], so a program contains only those that it
+//! names. `encode` goes from linear light to a code value, `decode` from a code value to linear light.
+//! [`Rgb::encode`](crate::color::Rgb::encode) applies the function of an RGB space to a whole color.
+//!
+//! ```
+//! # #[cfg(feature = "libm")] {
+//! use nanospectra::color::transfer::{Hlg, Pq, SrgbTransfer, Transfer};
+//!
+//! assert!((SrgbTransfer::decode(0.5) - 0.2140).abs() < 1e-4);
+//! // BT.2408 places the white of graphics, 203 cd/m2, at 58 % of PQ, and 75 % of HLG is 26.5 % of the peak.
+//! assert!((Pq::encode(203.0 / 10_000.0) - 0.58).abs() < 5e-3);
+//! assert!((Hlg::decode(0.75) - 0.265).abs() < 5e-4);
+//! # }
+//! ```
+//!
+//! Linear 1 and code value 1 are white, unless a type says something else. All functions but [`Pq`] are odd,
+//! `encode(-x) == -encode(x)`, which keeps colors outside the gamut. NaN stays NaN, and no finite number
+//! becomes NaN.
 
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 use crate::math::{Math, sqrt};
 
-/// A transfer function, in both directions between linear light and code values.
+/// A transfer function, which converts between linear light and code values in both directions.
+///
+/// Call [`encode`](Transfer::encode) and [`decode`](Transfer::decode), or without the feature `libm` the
+/// forms that take a math backend.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::transfer::{SrgbTransfer, Transfer};
+/// use nanospectra::math::Fast;
+/// assert!((SrgbTransfer::encode_with::<Fast>(0.5) - 0.735_357).abs() < 1e-6);
+/// assert!((SrgbTransfer::decode_with::<Fast>(0.5) - 0.214_041).abs() < 1e-6);
+/// ```
 pub trait Transfer: Copy + 'static {
-    /// The code value of a linear one, by the functions of `M`.
-    fn encode_with<M: Math>(linear: f32) -> f32;
-    /// The linear value of a code value, by the functions of `M`.
-    fn decode_with<M: Math>(code: f32) -> f32;
-
-    /// The code value of a linear one.
+    /// Computes the code value of a linear value.
     ///
+    /// # Example
     /// ```
     /// use nanospectra::color::transfer::{SrgbTransfer, Transfer};
     /// assert!((SrgbTransfer::encode(0.5) - 0.735_357).abs() < 1e-6);
@@ -28,16 +49,29 @@ pub trait Transfer: Copy + 'static {
     fn encode(linear: f32) -> f32 {
         Self::encode_with::<Portable>(linear)
     }
-    /// The linear value of a code value.
+    /// Computes the linear value of a code value.
+    ///
+    /// See the [example](Transfer::encode).
     #[cfg(feature = "libm")]
     #[must_use]
     fn decode(code: f32) -> f32 {
         Self::decode_with::<Portable>(code)
     }
+
+    /// Computes the code value of a linear value by the elementary functions of the math backend `M`.
+    ///
+    /// See the [example](Transfer#example).
+    fn encode_with<M: Math>(linear: f32) -> f32;
+    /// Computes the linear value of a code value by the elementary functions of the math backend `M`.
+    ///
+    /// See the [example](Transfer#example).
+    fn decode_with<M: Math>(code: f32) -> f32;
 }
 
-/// The transfer function of sRGB, which Display P3 uses too: IEC 61966-2-1 with the constants that it prints
-/// (12.92, 0.0031308, 0.04045).
+/// The transfer function of sRGB, which Display P3 uses too.
+///
+/// It follows IEC 61966-2-1 with the constants that the standard prints (12.92, 0.0031308, 0.04045). See the
+/// [example](Transfer#example).
 ///
 /// # Accuracy
 /// Encoding is within 9e-8, decoding and the way there and back within 1.2e-7, on 0 to 1.
@@ -51,7 +85,7 @@ impl Transfer for SrgbTransfer {
         if size <= 0.003_130_8 {
             return 12.92 * linear;
         }
-        // 1.055 p - 0.055, but exact for white
+        // This is 1.055 p - 0.055, in a form that is exact for white.
         let p = M::powf(size, 1.0 / 2.4);
         (p + 0.055 * (p - 1.0)).copysign(linear)
     }
@@ -60,12 +94,13 @@ impl Transfer for SrgbTransfer {
         if size <= 0.040_45 {
             return code / 12.92;
         }
-        // (c + 0.055) / 1.055, with less rounding near white
+        // The base is (c + 0.055) / 1.055, in a form with less rounding near white.
         M::powf(size + (1.0 - size) * (0.055 / 1.055), 2.4).copysign(code)
     }
 }
 
-/// BT.1886, the reference display of television with a black of zero: a pure power of 2.4.
+/// The transfer function of BT.1886, the reference display of television, which for a black of zero is a pure
+/// power of 2.4.
 ///
 /// # Accuracy
 /// 6e-8 either way on 0 to 1.
@@ -82,7 +117,7 @@ impl Transfer for Bt1886 {
     }
 }
 
-/// The transfer function of Adobe RGB (1998): a power of 2 + 51/256.
+/// The transfer function of Adobe RGB (1998), which is a power of 2 + 51/256.
 ///
 /// # Accuracy
 /// 7e-8 either way on 0 to 1.
@@ -99,7 +134,7 @@ impl Transfer for AdobeRgbTransfer {
     }
 }
 
-/// The identity: for ACEScg and other scene-linear files, whose code values are linear.
+/// The identity, which serves ACEScg and other scene-linear files, whose code values are linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearTransfer;
@@ -113,15 +148,15 @@ impl Transfer for LinearTransfer {
     }
 }
 
-/// PQ (SMPTE ST 2084, BT.2100): linear 1 is 10 000 cd/m2.
+/// The PQ function of SMPTE ST 2084 and BT.2100, which encodes absolute luminance: linear 1 is 10 000 cd/m2.
 ///
-/// There is no light below zero: a linear value below zero is encoded as zero is, and code
-/// values below that (7.3e-7) decode to zero. A code of 1.992 or more is beyond the function's
-/// pole and decodes to infinity.
+/// There is no light below zero: a linear value below zero is encoded as zero is, to 7.3e-7, and code values
+/// below that decode to zero. A code of 1.992 or more is beyond the function's pole and decodes to infinity.
+/// See the [example](crate::color::transfer).
 ///
 /// # Accuracy
-/// The textbook form loses three digits to `p - c1` and `c2 - c3 p`, p being next to 1; here
-/// p - 1 is computed instead. Encoding is within 1.1e-7 absolute and 1.6e-6 relative, decoding
+/// The textbook form loses three digits to `p - c1` and `c2 - c3 p`, because p is close to 1; here p - 1 is
+/// computed instead. Encoding is within 1.1e-7 absolute and 1.6e-6 relative, decoding
 /// within 7e-7 (7 millicandela) and 2.2e-6 relative from 1e-4 cd/m2 up (`tests/color/transfer.rs`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -133,7 +168,7 @@ impl Pq {
     const C1: f32 = 3424.0 / 4096.0;
     const C2: f32 = 2413.0 / 4096.0 * 32.0;
     const C3: f32 = 2392.0 / 4096.0 * 32.0;
-    /// 1 - c1, which is c2 - c3 as well.
+    /// The constant 1 - c1, which is also c2 - c3.
     const D: f32 = 1.0 - Self::C1;
 }
 
@@ -162,8 +197,10 @@ impl Transfer for Pq {
     }
 }
 
-/// HLG (ARIB STD-B67, BT.2100), the camera's function: linear 1 is the peak of the scene, and
-/// what a display makes of it (the OOTF) is not included.
+/// The HLG function of ARIB STD-B67 and BT.2100 as cameras use it: linear 1 is the peak of the scene.
+///
+/// The rendering of the scene by a display (the OOTF) is not included. See the
+/// [example](crate::color::transfer).
 ///
 /// # Accuracy
 /// Encoding is within 1e-7, decoding within 3e-7, on 0 to 1.
@@ -198,22 +235,33 @@ impl Transfer for Hlg {
     }
 }
 
-/// |x|^y with the sign of x.
+/// Computes |x|^y with the sign of x.
 fn power<M: Math>(x: f32, y: f32) -> f32 {
     M::powf(x.abs(), y).copysign(x)
 }
 
-/// The 8-bit code of a value in 0..=1, rounded half up; below 0 is 0, above 1 is 255, and NaN,
-/// which has no code, is 0.
+/// Rounds a value in 0..=1 to its 8-bit code.
+///
+/// Halves are rounded up. A value below 0 becomes 0, one above 1 becomes 255, and NaN, which has no code,
+/// becomes 0.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::transfer::{from_u8, to_u8};
+/// assert_eq!([0.5, -0.1, 1.1].map(to_u8), [128, 0, 255]);
+/// assert_eq!(from_u8(51), 0.2);
+/// ```
 #[must_use]
 pub fn to_u8(value: f32) -> u8 {
     let code = value * 255.0;
     let whole = code as u8; // saturates, and is 0 for NaN
-    // The fraction is exact; adding a half first would not be.
+    // The fraction is exact, while adding one half before truncating would round.
     if code - f32::from(whole) >= 0.5 { whole.saturating_add(1) } else { whole }
 }
 
-/// The value of an 8-bit code: 255 is 1.
+/// Returns the value of an 8-bit code, where 255 is 1.
+///
+/// See the [example](to_u8#example).
 #[must_use]
 pub fn from_u8(code: u8) -> f32 {
     f32::from(code) / 255.0
