@@ -5,11 +5,14 @@ use crate::math::const_for;
 use crate::sensor::calibrate::positive;
 use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 
-/// A light meter: exposure, dark level and calibration folded into one matrix, so that a count is only
-/// converted, checked and multiplied.
+/// A light meter that turns raw counts into XYZ in one pass over the channels.
 ///
-/// For an instrument whose exposure stays (or one `Meter` for each of a few); the same numbers, to rounding,
-/// come from [`Exposure::basic_counts`] and [`Calibration::xyz`] step by step.
+/// Exposure, dark level and calibration are one matrix, so that each count is only converted, checked and
+/// multiplied. [`new`](Self::new) makes the meter, in a `static` too, and [`xyz`](Self::xyz) reads it. It
+/// suits an instrument whose exposure stays (or take one `Meter` for each of a few exposures). The same
+/// numbers, to rounding, come step by step from [`Exposure::basic_counts`] and [`Calibration::xyz`].
+///
+/// # Example
 ///
 /// ```
 /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
@@ -22,16 +25,16 @@ use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meter<const C: usize> {
-    /// Of each channel, what a count adds to X, Y and Z.
+    /// What a count of each channel adds to X, Y and Z.
     columns: [[f32; 3]; C],
-    /// What the sums start from.
+    /// What the sums start from: the dark levels, subtracted.
     start: [f32; 3],
     full_scale: u32,
     floor: f32,
 }
 
 impl<const C: usize> Meter<C> {
-    /// A meter for readings with this exposure.
+    /// Makes a meter for readings with this exposure, in a `static` too. See the [example](#example).
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Self {
         let mut columns = [[0.0; 3]; C];
@@ -41,7 +44,8 @@ impl<const C: usize> Meter<C> {
         Meter { columns, start: [0.0; 3], full_scale: exposure.full_scale(), floor: exposure.floor() }
     }
 
-    /// A meter that first takes these dark levels, in counts of the exposure, off each channel.
+    /// Makes a meter that first subtracts these dark levels, in counts of the exposure, from each channel;
+    /// see the [example](#example).
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,
@@ -56,7 +60,7 @@ impl<const C: usize> Meter<C> {
         meter
     }
 
-    /// The same meter with every result multiplied by `k`: what a lux meter reads, divided by this meter's Y.
+    /// Multiplies every result by `k`: what a reference lux meter reads, divided by this meter's Y.
     ///
     /// ```
     /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
@@ -76,7 +80,7 @@ impl<const C: usize> Meter<C> {
         self
     }
 
-    /// The tristimulus values of one reading.
+    /// Computes the tristimulus values of one reading. See the [example](#example).
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
