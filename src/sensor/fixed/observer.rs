@@ -44,7 +44,7 @@ pub struct FixedObserver<const C: usize, const N: usize, G = Bins<380, 730>> {
 }
 
 impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
-    /// Turns `observer` into integers. See the [example](#example).
+    /// Turns the weights of `observer` into integers. See the [example](#example).
     ///
     /// `None` if all its weights are zero, if one is NaN or infinite, or if there are more than 4096 bands.
     /// It computes in f64, so call it in a `const` or a `static`.

@@ -161,7 +161,7 @@ pub enum ReadingError {
     /// Either the calibration was made for other lights, or the light is so nearly dark or so pure a red that
     /// noise decides. Y alone may still be good.
     Negative {
-        /// The sums X, Y and Z as they came out.
+        /// The sums X, Y and Z that the calibration gives.
         xyz: Xyz,
     },
 }

@@ -44,7 +44,7 @@ impl<const CAP: usize> Window<CAP> {
         let _ = self.0.push_back(reading);
     }
 
-    /// Forgets all readings, for instance after a change of exposure. See the [example](#example).
+    /// Removes all readings, for instance after a change of exposure. See the [example](#example).
     pub fn clear(&mut self) {
         self.0.clear();
     }
