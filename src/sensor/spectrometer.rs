@@ -77,40 +77,6 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         Ok(unit)
     }
 
-    /// Returns the center of pixel `pixel` in nm, where pixels always count from 0. See the
-    /// [example](#example).
-    #[must_use]
-    pub const fn nm(&self, pixel: usize) -> f32 {
-        self.at(pixel as f32)
-    }
-
-    /// Returns the lower edge of pixel `pixel` in nm, half way to the pixel before it; `pixel` = `P` gives
-    /// the upper end of the last one.
-    ///
-    /// ```
-    /// # use nanospectra::sensor::{FirstPixel, PixelWavelengths};
-    /// let unit = PixelWavelengths::<100, 2>::new([400.0, 3.0], FirstPixel::Zero)?; // 400 nm, 403 nm ..
-    /// assert_eq!((unit.nm(1), unit.edge_nm(1), unit.edge_nm(100)), (403.0, 401.5, 698.5));
-    /// # Ok::<(), nanospectra::sensor::PixelWavelengthsError>(())
-    /// ```
-    #[must_use]
-    pub const fn edge_nm(&self, pixel: usize) -> f32 {
-        self.at(pixel as f32 - 0.5)
-    }
-
-    const fn at(&self, pixel: f32) -> f32 {
-        let p = match self.first {
-            FirstPixel::Zero => pixel,
-            FirstPixel::One => pixel + 1.0,
-        };
-        let (mut nm, mut k) = (0.0, K);
-        while k > 0 {
-            k -= 1;
-            nm = nm * p + self.coefficients[k];
-        }
-        nm
-    }
-
     /// Distributes counts over the bins of a grid, each pixel in proportion to how much of it lies in a bin.
     ///
     /// Subtract dark counts first ([`above_dark_pixels`]). A pixel has already summed up the light on its
@@ -162,6 +128,40 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         }
         Rebinned { counts: bins, outside }
     }
+
+    /// Returns the center of pixel `pixel` in nm, where pixels always count from 0. See the
+    /// [example](#example).
+    #[must_use]
+    pub const fn nm(&self, pixel: usize) -> f32 {
+        self.at(pixel as f32)
+    }
+
+    /// Returns the lower edge of pixel `pixel` in nm, half way to the pixel before it; `pixel` = `P` gives
+    /// the upper end of the last one.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{FirstPixel, PixelWavelengths};
+    /// let unit = PixelWavelengths::<100, 2>::new([400.0, 3.0], FirstPixel::Zero)?; // 400 nm, 403 nm ..
+    /// assert_eq!((unit.nm(1), unit.edge_nm(1), unit.edge_nm(100)), (403.0, 401.5, 698.5));
+    /// # Ok::<(), nanospectra::sensor::PixelWavelengthsError>(())
+    /// ```
+    #[must_use]
+    pub const fn edge_nm(&self, pixel: usize) -> f32 {
+        self.at(pixel as f32 - 0.5)
+    }
+
+    const fn at(&self, pixel: f32) -> f32 {
+        let p = match self.first {
+            FirstPixel::Zero => pixel,
+            FirstPixel::One => pixel + 1.0,
+        };
+        let (mut nm, mut k) = (0.0, K);
+        while k > 0 {
+            k -= 1;
+            nm = nm * p + self.coefficients[k];
+        }
+        nm
+    }
 }
 
 /// Subtracts the mean of the masked pixels, which lie in the dark beside the others, from every count.
@@ -182,7 +182,7 @@ pub fn above_dark_pixels<T: Count, const P: usize>(
     masked: Range<usize>,
 ) -> Option<[f32; P]> {
     let dark = counts.get(masked).filter(|dark| !dark.is_empty())?;
-    // As deviations from the first: exact for equal counts, and small numbers for the rest.
+    // The mean of deviations from the first pixel is exact for equal counts, and rounds little for others.
     let reference = dark.first()?.to_f32();
     let deviations = dark.iter().fold(0.0, |sum, count| sum + (count.to_f32() - reference));
     let level = reference + deviations / dark.len() as f32;

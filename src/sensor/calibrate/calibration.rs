@@ -4,7 +4,7 @@ use crate::color::Xyz;
 use crate::math::const_for;
 use crate::sensor::{BasicCounts, ReadingError};
 
-/// A matrix that turns the basic counts of `C` channels into `D` results.
+/// A matrix that turns the basic counts of `C` channels into XYZ, lux or `D` other results.
 ///
 /// The results are XYZ (`D` = 3), illuminance or PPFD alone (`D` = 1), or anything else that is linear in the
 /// light. The first call is [`xyz`](Self::xyz), or [`apply`](Self::apply) for other results. Y is in lux if
@@ -45,18 +45,23 @@ use crate::sensor::{BasicCounts, ReadingError};
 #[repr(transparent)]
 pub struct Calibration<const C: usize, const D: usize = 3>([[f32; C]; D]);
 
+impl<const C: usize> Calibration<C> {
+    /// Computes the tristimulus values of one reading. See the [example](#example).
+    ///
+    /// # Errors
+    /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
+    #[inline]
+    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, ReadingError> {
+        positive(self.apply(basic).into())
+    }
+}
+
 impl<const C: usize, const D: usize> Calibration<C, D> {
     /// Takes the rows of a matrix, where row `d` holds the weight of each channel in result `d`. See the
     /// [example](#example).
     #[must_use]
     pub const fn from_rows(rows: [[f32; C]; D]) -> Self {
         Calibration(rows)
-    }
-
-    /// Returns the rows, which hold the weight of each channel in each result. See the [example](#example).
-    #[must_use]
-    pub const fn rows(&self) -> &[[f32; C]; D] {
-        &self.0
     }
 
     /// Multiplies basic counts by the matrix, whatever the sign of the results. See the [example](#example).
@@ -163,16 +168,11 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         const_for!(0..C, |k| const_for!(0..D, |d| self.0[d][k] /= m[k][k]));
         Ok(self)
     }
-}
 
-impl<const C: usize> Calibration<C> {
-    /// Computes the tristimulus values of one reading. See the [example](#example).
-    ///
-    /// # Errors
-    /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
-    #[inline]
-    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, ReadingError> {
-        positive(self.apply(basic).into())
+    /// Returns the rows, which hold the weight of each channel in each result. See the [example](#example).
+    #[must_use]
+    pub const fn rows(&self) -> &[[f32; C]; D] {
+        &self.0
     }
 }
 

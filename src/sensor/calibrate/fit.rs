@@ -91,12 +91,6 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         self.patches = self.patches.saturating_add(1);
     }
 
-    /// Returns the number of patches that were added. See the [example](#example).
-    #[must_use]
-    pub const fn patches(&self) -> u32 {
-        self.patches
-    }
-
     /// Computes the calibration whose weighted squared errors on the patches are least. See the
     /// [example](#example).
     ///
@@ -109,23 +103,6 @@ impl<const C: usize, const D: usize> Fit<C, D> {
             Ok(_) => finite(self.triangle.solve()),
             Err(error) => Err(error),
         }
-    }
-
-    /// Computes the root mean square of weight * error over the patches, for each result. See the
-    /// [example](#example).
-    ///
-    /// With weights 1 / Y it is the relative error. It says how wrong the matrix is on the patches it was
-    /// made from; on others it is more, as [`leave_one_out`](Self::leave_one_out) tells. It is 0 without
-    /// patches.
-    #[must_use]
-    pub const fn residual_rms(&self) -> [f32; D] {
-        let mut rms = *self.triangle.rest();
-        let mut d = 0;
-        while d < D && self.patches > 0 {
-            rms[d] /= sqrt(self.patches as f32);
-            d += 1;
-        }
-        rms
     }
 
     /// Computes the error that a fit made without this patch has on it (result minus `target`), which is the
@@ -175,6 +152,23 @@ impl<const C: usize, const D: usize> Fit<C, D> {
         Ok(errors)
     }
 
+    /// Computes the root mean square of weight * error over the patches, for each result. See the
+    /// [example](#example).
+    ///
+    /// With weights 1 / Y it is the relative error. It says how wrong the matrix is on the patches it was
+    /// made from; on others it is more, as [`leave_one_out`](Self::leave_one_out) tells. It is 0 without
+    /// patches.
+    #[must_use]
+    pub const fn residual_rms(&self) -> [f32; D] {
+        let mut rms = *self.triangle.rest();
+        let mut d = 0;
+        while d < D && self.patches > 0 {
+            rms[d] /= sqrt(self.patches as f32);
+            d += 1;
+        }
+        rms
+    }
+
     /// Computes how much an error of the counts is magnified in the matrix: 1 at best, 10 to 100 for lamps
     /// and eight channels. See the [example](#example).
     ///
@@ -188,6 +182,12 @@ impl<const C: usize, const D: usize> Fit<C, D> {
             return Err(FitError::TooFew { patches: self.patches, needed: C });
         }
         usable(condition(self.triangle.factor()))
+    }
+
+    /// Returns the number of patches that were added. See the [example](#example).
+    #[must_use]
+    pub const fn patches(&self) -> u32 {
+        self.patches
     }
 }
 
@@ -284,14 +284,14 @@ impl FitError {
     #[must_use]
     pub const fn message(&self) -> &'static str {
         match self {
-            Self::TooFew { .. } => "fewer patches than channels: measure more that differ",
+            Self::TooFew { .. } => "there are fewer patches than channels: measure more patches that differ",
             Self::IllConditioned { .. } => {
-                "channels that cannot be told apart: measure more different colors, \
+                "the channels cannot be told apart: measure more different colors, \
                  leave out a channel that never counts, or use a larger alpha"
             }
             Self::NotFinite => {
                 "a count, a target or a weight is not finite, alpha is negative, or numbers are beyond 1e30: \
-                 check them, scale them"
+                 check the numbers, or scale them"
             }
             Self::NotConverged { .. } => {
                 "no positive spectrum was found: allow more steps or use a larger alpha"

@@ -108,6 +108,36 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         Self::scaled(&x, scale)
     }
 
+    /// Computes the calibration that gives what an eye sees of the reconstructed spectrum. See the
+    /// [example](#example).
+    ///
+    /// It has `D` x `C` numbers, 96 bytes for XYZ from eight channels. In a `static` the reconstruction
+    /// itself is not in the program.
+    #[must_use]
+    pub const fn seen_by<const D: usize>(&self, eye: &Observer<D, N, Power, G>) -> Calibration<C, D> {
+        let mut matrix = [[0.0; C]; D];
+        const_for!(0..D, |d| {
+            const_for!(0..N, |n| {
+                const_for!(0..C, |c| matrix[d][c] += eye.weights()[d][n] * self.0[n][c]);
+            });
+        });
+        Calibration::from_rows(matrix)
+    }
+
+    /// Computes the likeliest spectrum for these counts, power per nm in the unit of the sensor's
+    /// responsivities. See the [example](#example).
+    ///
+    /// It may be negative in places, which [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is
+    /// not.
+    ///
+    /// # Accuracy
+    /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
+    #[must_use]
+    #[inline]
+    pub fn spectrum(&self, basic: &BasicCounts<C>) -> Light<N, G> {
+        Spectrum::from_bins(rows(&self.0, basic.values()))
+    }
+
     /// Reconstructs the smallest spectrum that explains the counts, and supposes nothing about neighbors.
     ///
     /// Bins that no channel sees become 0. Use it for narrow lines; for lamps and surfaces
@@ -166,6 +196,12 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         Self::scaled(&spectra, scale)
     }
 
+    /// Returns the rows of the matrix, where row `n` says how much of each channel goes into bin `n`.
+    #[must_use]
+    pub const fn rows(&self) -> &[[f32; C]; N] {
+        &self.0
+    }
+
     const fn scaled(columns: &[[f32; N]; C], scale: f32) -> Result<Self, FitError> {
         let mut matrix = [[0.0; C]; N];
         let mut n = 0;
@@ -177,42 +213,6 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
             n += 1;
         }
         Ok(Reconstruction(matrix, PhantomData))
-    }
-
-    /// Returns the rows of the matrix, where row `n` says how much of each channel goes into bin `n`.
-    #[must_use]
-    pub const fn rows(&self) -> &[[f32; C]; N] {
-        &self.0
-    }
-
-    /// Computes the likeliest spectrum for these counts, power per nm in the unit of the sensor's
-    /// responsivities. See the [example](#example).
-    ///
-    /// It may be negative in places, which [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is
-    /// not.
-    ///
-    /// # Accuracy
-    /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
-    #[must_use]
-    #[inline]
-    pub fn spectrum(&self, basic: &BasicCounts<C>) -> Light<N, G> {
-        Spectrum::from_bins(rows(&self.0, basic.values()))
-    }
-
-    /// Lets an eye look at the reconstructed spectrum, which folds counts to spectrum to color into one small
-    /// matrix. See the [example](#example).
-    ///
-    /// It has `D` x `C` numbers, 96 bytes for XYZ from eight channels. In a `static` the reconstruction
-    /// itself is not in the program.
-    #[must_use]
-    pub const fn seen_by<const D: usize>(&self, eye: &Observer<D, N, Power, G>) -> Calibration<C, D> {
-        let mut matrix = [[0.0; C]; D];
-        const_for!(0..D, |d| {
-            const_for!(0..N, |n| {
-                const_for!(0..C, |c| matrix[d][c] += eye.weights()[d][n] * self.0[n][c]);
-            });
-        });
-        Calibration::from_rows(matrix)
     }
 }
 

@@ -200,8 +200,9 @@ pub struct ResponsivityError {
     pub kind: ResponsivityErrorKind,
 }
 
-/// What can be wrong with a line of a table of responsivities. See the [example](read_responsivities) of
-/// [`read_responsivities`].
+/// What can be wrong with a line of a table of responsivities.
+///
+/// See the [example](read_responsivities) of [`read_responsivities`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

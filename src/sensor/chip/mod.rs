@@ -58,8 +58,9 @@ macro_rules! ladder {
         $(#[$doc])*
         pub static LADDER: [Exposure; $length] = [$(exposure($($setting),+)),+];
 
-        /// What to set for each exposure of [`LADDER`], as [`exposure`] takes it. See the module's
-        /// [example](self#example).
+        /// What to set for each exposure of [`LADDER`], as [`exposure`] takes it.
+        ///
+        /// See the module's [example](self#example).
         pub static LADDER_SETTINGS: [$settings; $length] = [$(($($setting),+)),+];
 
         pub(in crate::sensor::chip) static STEPS: [&[f32]; $length] = [$(&[$($setting as f32),+]),+];
@@ -207,7 +208,9 @@ pub struct Setting {
     pub values: SettingValues,
 }
 
-/// Which values a setting can take. See the [example](Setting#example) of [`Setting`].
+/// Which values a setting can take.
+///
+/// See the [example](Setting#example) of [`Setting`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SettingValues {
     /// The setting takes one of these factors.

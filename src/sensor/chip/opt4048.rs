@@ -53,7 +53,9 @@ pub const fn code(mantissa: u32, exponent: u8) -> u32 {
 pub static CHANNELS: [&str; 3] = ["ch0", "ch1", "ch2"];
 
 /// The matrix of Texas Instruments that turns the codes of [`CHANNELS`] into X, Y and Z on a scale of their
-/// own. See the module's [example](self#example).
+/// own.
+///
+/// See the module's [example](self#example).
 ///
 /// # Reference
 /// The data sheet's coefficients as Adafruit's driver for this chip has them.
@@ -63,7 +65,9 @@ pub static TO_XYZ: Calibration<3> = Calibration::from_rows([
     [1.208_116_84e-5, -1.588_481_15e-5, 6.740_215_20e-4],
 ]);
 
-/// The row that turns the same codes into illuminance in lux. See the module's [example](self#example).
+/// The row that turns the same codes into illuminance in lux.
+///
+/// See the module's [example](self#example).
 ///
 /// # Reference
 /// As that of [`TO_XYZ`].

@@ -20,7 +20,9 @@ const SLACK: i32 = 16 << 14;
 const HOTTEST: u32 = 4096 - 205;
 const COLDEST: u32 = 4_096_000 + 41;
 
-/// What [`Cct`](crate::color::Cct) says, in integers: a color temperature and Duv, or why a color has none.
+/// A color temperature and Duv in integers, or the reason why a color has none.
+///
+/// It says what [`Cct`](crate::color::Cct) says in floats.
 ///
 /// [`FixedXyz::cct`](crate::sensor::fixed::FixedXyz::cct) returns it.
 ///
@@ -85,7 +87,7 @@ impl FixedCct {
             left -= half;
         }
         let Some([from, to]) = FIXED_LOCUS.get(segment..).and_then(|rest| rest.first_chunk()) else {
-            return FixedCct::OffLocus; // never: segment < SEGMENTS
+            return FixedCct::OffLocus; // never happens, since segment < SEGMENTS
         };
         // Only at the two ends of the table can a point be on neither side, and there nothing has a
         // temperature.

@@ -67,6 +67,29 @@ impl<const C: usize> FixedMeter<C> {
         Self::new_above(exposure, &[0.0; C], calibration)
     }
 
+    /// Computes the tristimulus values of one reading. See the [example](#example).
+    ///
+    /// # Errors
+    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
+    /// below zero.
+    #[inline]
+    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
+        let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
+        for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
+            let count = u32::from(*count);
+            headroom &= count as i32 - i32::from(self.full_scale);
+            total += count;
+            x += times(count, *to_x);
+            y += times(count, *to_y);
+            z += times(count, *to_z);
+        }
+        if headroom >= 0 || total < self.floor {
+            return Err(ReadingError::because(counts, self.full_scale.into()));
+        }
+        let xyz = FixedXyz::new([x, y, z], self.fraction);
+        if x | y | z < 0 { Err(ReadingError::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
+    }
+
     /// Makes a meter that first subtracts these dark levels, in counts of the exposure, from each channel.
     /// See the [example](#example).
     ///
@@ -119,29 +142,6 @@ impl<const C: usize> FixedMeter<C> {
         }
         let full_scale = if exposure.full_scale() < 65_535 { exposure.full_scale() as u16 } else { 65_535 };
         Some(FixedMeter { columns, start, fraction, full_scale, floor: ceiling(total) })
-    }
-
-    /// Computes the tristimulus values of one reading. See the [example](#example).
-    ///
-    /// # Errors
-    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
-    /// below zero.
-    #[inline]
-    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
-        let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
-        for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
-            let count = u32::from(*count);
-            headroom &= count as i32 - i32::from(self.full_scale);
-            total += count;
-            x += times(count, *to_x);
-            y += times(count, *to_y);
-            z += times(count, *to_z);
-        }
-        if headroom >= 0 || total < self.floor {
-            return Err(ReadingError::because(counts, self.full_scale.into()));
-        }
-        let xyz = FixedXyz::new([x, y, z], self.fraction);
-        if x | y | z < 0 { Err(ReadingError::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
     }
 
     /// Returns the set of channels that are at or above full scale. See the [example](#example).

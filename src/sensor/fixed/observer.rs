@@ -6,7 +6,7 @@ use crate::observer::Observer;
 use crate::spectrum::Quantity;
 use core::marker::PhantomData;
 
-/// Looks at samples of 16 bits with weights of 16 bits, as an [`Observer`] does in floats.
+/// Looks at spectra of 16-bit samples with weights of 16 bits, as an [`Observer`] does in floats.
 ///
 /// [`new`](Self::new) makes it from an observer in a `static`, [`sees`](Self::sees) reads samples, and
 /// [`unit`](Self::unit) says what the sums stand for. The weights are stored with an offset, so that none is
@@ -88,15 +88,6 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
         Some(FixedObserver { rows: fixed, offset, shift: shift as u32, unit, grid: PhantomData })
     }
 
-    /// Returns what one unit of the sums stands for, if a sample of 1 stands for 1. See the
-    /// [example](#example).
-    ///
-    /// For samples that are scaled by `k`, a unit stands for `unit() / k`.
-    #[must_use]
-    pub const fn unit(&self) -> f32 {
-        self.unit
-    }
-
     /// Computes the sums of this observer, in units of [`unit`](Self::unit). See the [example](#example).
     ///
     /// They are below 2^30 in size, whatever the samples.
@@ -112,6 +103,15 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
             *sum = self.dot(row, samples) as i32 - lifted as i32;
         }
         sums
+    }
+
+    /// Returns what one unit of the sums stands for, if a sample of 1 stands for 1. See the
+    /// [example](#example).
+    ///
+    /// For samples that are scaled by `k`, a unit stands for `unit() / k`.
+    #[must_use]
+    pub const fn unit(&self) -> f32 {
+        self.unit
     }
 
     /// Sums eight products at a time, written out. A loop over the rows inside one over the samples takes a

@@ -4,7 +4,8 @@ use crate::color::Xyz;
 use crate::sensor::fixed::FixedCct;
 use crate::sensor::fixed::cct::quotient;
 
-/// Holds X, Y and Z as integers in a common unit, which is a power of two of the calibration's.
+/// Holds X, Y and Z as integers in a common unit, which is a power of two of the unit of the
+/// calibration.
 ///
 /// [`FixedMeter::xyz`](crate::sensor::fixed::FixedMeter::xyz) returns it. [`lux`](Self::lux) and
 /// [`cct`](Self::cct) are what one asks first.
@@ -35,32 +36,6 @@ pub struct FixedXyz {
 }
 
 impl FixedXyz {
-    /// Makes X, Y and Z from integers in units of 2^-fraction. See the [example](#example).
-    ///
-    /// `fraction` is -62..=62; beyond that it counts as the nearest of the two.
-    #[must_use]
-    pub const fn new([x, y, z]: [i32; 3], fraction: i32) -> Self {
-        let fraction = if fraction > 62 { 62 } else { fraction };
-        FixedXyz { x, y, z, fraction: if fraction < -62 { -62 } else { fraction } }
-    }
-
-    /// Returns the exponent of the unit, which is 2^-fraction. See the [example](#example).
-    #[must_use]
-    pub const fn fraction(self) -> i32 {
-        self.fraction
-    }
-
-    /// Converts the same values to floating point. See the [example](#example).
-    #[must_use]
-    pub fn to_xyz(self) -> Xyz {
-        // By the exponent alone: a core without an FPU needs no multiplication for it.
-        let scaled = |x: i32| {
-            let whole = (x as f32).to_bits() as i32;
-            if x == 0 { 0.0 } else { f32::from_bits((whole - (self.fraction << 23)) as u32) }
-        };
-        Xyz { x: scaled(self.x), y: scaled(self.y), z: scaled(self.z) }
-    }
-
     /// Returns Y rounded to the nearest integer, which is lux if the calibration is in lux. See the
     /// [example](#example).
     ///
@@ -102,26 +77,6 @@ impl FixedXyz {
         if shifted > u32::MAX as u64 { u32::MAX } else { shifted as u32 }
     }
 
-    /// Computes CIE 1960 u and v in units of 2^-20. See the [example](#example).
-    ///
-    /// `None` for black, and for what lies outside 0 <= u, v < 1.
-    #[must_use]
-    pub fn uv1960(self) -> Option<[i32; 2]> {
-        // Sizes are below 2^26 and the largest is above 2^25: sums stay below 2^31, and quotients keep their
-        // digits.
-        let size = self.x.unsigned_abs() | self.y.unsigned_abs() | self.z.unsigned_abs();
-        let [x, y, z] = match size.leading_zeros() {
-            32 => return None,
-            spare @ 6.. => [self.x << (spare - 6), self.y << (spare - 6), self.z << (spare - 6)],
-            spare => [self.x >> (6 - spare), self.y >> (6 - spare), self.z >> (6 - spare)],
-        };
-        let sum = x + 15 * y + 3 * z;
-        if sum <= 0 || x < 0 || y < 0 || 4 * x >= sum || 6 * y >= sum {
-            return None;
-        }
-        Some([quotient(4 * x as u32, sum as u32, 20), quotient(6 * y as u32, sum as u32, 20)])
-    }
-
     /// Computes CCT and Duv on the CIE 1931 2 degree observer, as [`Uv1960::cct`](crate::color::Uv1960::cct)
     /// does. See the [example](#example).
     ///
@@ -143,5 +98,51 @@ impl FixedXyz {
             Some(uv) => FixedCct::of(uv),
             None => FixedCct::OffLocus,
         })
+    }
+
+    /// Computes CIE 1960 u and v in units of 2^-20. See the [example](#example).
+    ///
+    /// `None` for black, and for what lies outside 0 <= u, v < 1.
+    #[must_use]
+    pub fn uv1960(self) -> Option<[i32; 2]> {
+        // Sizes are below 2^26 and the largest is above 2^25: sums stay below 2^31, and quotients keep their
+        // digits.
+        let size = self.x.unsigned_abs() | self.y.unsigned_abs() | self.z.unsigned_abs();
+        let [x, y, z] = match size.leading_zeros() {
+            32 => return None,
+            spare @ 6.. => [self.x << (spare - 6), self.y << (spare - 6), self.z << (spare - 6)],
+            spare => [self.x >> (6 - spare), self.y >> (6 - spare), self.z >> (6 - spare)],
+        };
+        let sum = x + 15 * y + 3 * z;
+        if sum <= 0 || x < 0 || y < 0 || 4 * x >= sum || 6 * y >= sum {
+            return None;
+        }
+        Some([quotient(4 * x as u32, sum as u32, 20), quotient(6 * y as u32, sum as u32, 20)])
+    }
+
+    /// Converts the same values to floating point. See the [example](#example).
+    #[must_use]
+    pub fn to_xyz(self) -> Xyz {
+        // Only the exponent changes, so that a core without an FPU needs no multiplication.
+        let scaled = |x: i32| {
+            let whole = (x as f32).to_bits() as i32;
+            if x == 0 { 0.0 } else { f32::from_bits((whole - (self.fraction << 23)) as u32) }
+        };
+        Xyz { x: scaled(self.x), y: scaled(self.y), z: scaled(self.z) }
+    }
+
+    /// Makes X, Y and Z from integers in units of 2^-fraction. See the [example](#example).
+    ///
+    /// `fraction` is -62..=62; beyond that it counts as the nearest of the two.
+    #[must_use]
+    pub const fn new([x, y, z]: [i32; 3], fraction: i32) -> Self {
+        let fraction = if fraction > 62 { 62 } else { fraction };
+        FixedXyz { x, y, z, fraction: if fraction < -62 { -62 } else { fraction } }
+    }
+
+    /// Returns the exponent of the unit, which is 2^-fraction. See the [example](#example).
+    #[must_use]
+    pub const fn fraction(self) -> i32 {
+        self.fraction
     }
 }

@@ -49,7 +49,7 @@ impl Count for f32 {
     }
     #[inline]
     fn headroom(self, full_scale: u32) -> i32 {
-        // NaN is not full: it must come out as NaN.
+        // NaN does not count as full, because it must come out as NaN.
         if self >= full_scale as f32 { 0 } else { -1 }
     }
 }
@@ -81,23 +81,6 @@ mod sealed {
 pub struct Channels(u32);
 
 impl Channels {
-    /// Adds `channel` to the set, where one beyond 31 counts as 31. See the [example](#example).
-    #[must_use]
-    pub const fn with(self, channel: usize) -> Self {
-        Channels(self.0 | 1 << if channel < 31 { channel } else { 31 })
-    }
-
-    /// Collects those of `counts` that are at or above `full_scale`.
-    pub(in crate::sensor) fn saturated<T: Count, const C: usize>(counts: &[T; C], full_scale: u32) -> Self {
-        let mut channels = Channels::default();
-        for (channel, count) in counts.iter().enumerate() {
-            if count.headroom(full_scale) >= 0 {
-                channels = channels.with(channel);
-            }
-        }
-        channels
-    }
-
     /// Returns whether `channel` is in the set. See the [example](#example).
     #[must_use]
     pub const fn contains(self, channel: usize) -> bool {
@@ -115,6 +98,23 @@ impl Channels {
     #[must_use]
     pub const fn bits(self) -> u32 {
         self.0
+    }
+
+    /// Adds `channel` to the set, where one beyond 31 counts as 31. See the [example](#example).
+    #[must_use]
+    pub const fn with(self, channel: usize) -> Self {
+        Channels(self.0 | 1 << if channel < 31 { channel } else { 31 })
+    }
+
+    /// Collects those of `counts` that are at or above `full_scale`.
+    pub(in crate::sensor) fn saturated<T: Count, const C: usize>(counts: &[T; C], full_scale: u32) -> Self {
+        let mut channels = Channels::default();
+        for (channel, count) in counts.iter().enumerate() {
+            if count.headroom(full_scale) >= 0 {
+                channels = channels.with(channel);
+            }
+        }
+        channels
     }
 }
 
@@ -181,7 +181,11 @@ impl core::fmt::Display for ReadingError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             ReadingError::Saturated { channels } => {
-                write!(f, "channels at full scale (bits {:#b}): use less gain or time", channels.bits())
+                write!(
+                    f,
+                    "channels have reached full scale (bits {:#b}): use less gain or time",
+                    channels.bits()
+                )
             }
             ReadingError::TooDark => {
                 f.write_str("the channels are not above their dark levels: use more gain or time")

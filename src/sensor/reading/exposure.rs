@@ -67,52 +67,6 @@ impl Exposure {
         }
     }
 
-    /// Replaces the floor: all channels together must count at least `floor` above their dark levels, or the
-    /// reading is too dark.
-    ///
-    /// The floor of a new exposure is 1 count.
-    ///
-    /// ```
-    /// # use nanospectra::sensor::{Exposure, ReadingError};
-    /// let exposure = Exposure::new(4.0, 25.0, 65_535).with_floor(100.0);
-    /// assert_eq!(exposure.basic_counts(&[40_u16, 50]), Err(ReadingError::TooDark));
-    /// assert!(exposure.basic_counts(&[40_u16, 60]).is_ok());
-    /// ```
-    #[must_use]
-    pub const fn with_floor(self, floor: f32) -> Self {
-        Exposure { floor, ..self }
-    }
-
-    /// Returns the gain as a factor. See the [example](#example).
-    #[must_use]
-    pub const fn gain(&self) -> f32 {
-        self.gain
-    }
-
-    /// Returns the integration time in milliseconds.
-    #[must_use]
-    pub const fn time_ms(&self) -> f32 {
-        self.time_ms
-    }
-
-    /// Returns the first count that is not trusted any more. See the [example](#example).
-    #[must_use]
-    pub const fn full_scale(&self) -> u32 {
-        self.full_scale
-    }
-
-    /// Returns the least that all channels together must count above their dark levels.
-    #[must_use]
-    pub const fn floor(&self) -> f32 {
-        self.floor
-    }
-
-    /// Returns the basic counts that one raw count stands for, 1 / (gain * time), in counts per millisecond.
-    #[must_use]
-    pub const fn per_count(&self) -> f32 {
-        self.per_count
-    }
-
     /// Converts raw counts to counts per millisecond at unit gain. See the [example](#example).
     ///
     /// # Errors
@@ -181,5 +135,51 @@ impl Exposure {
     #[must_use]
     pub fn saturated<T: Count, const C: usize>(&self, counts: &[T; C]) -> Channels {
         Channels::saturated(counts, self.full_scale)
+    }
+
+    /// Replaces the floor: all channels together must count at least `floor` above their dark levels, or the
+    /// reading is too dark.
+    ///
+    /// The floor of a new exposure is 1 count.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{Exposure, ReadingError};
+    /// let exposure = Exposure::new(4.0, 25.0, 65_535).with_floor(100.0);
+    /// assert_eq!(exposure.basic_counts(&[40_u16, 50]), Err(ReadingError::TooDark));
+    /// assert!(exposure.basic_counts(&[40_u16, 60]).is_ok());
+    /// ```
+    #[must_use]
+    pub const fn with_floor(self, floor: f32) -> Self {
+        Exposure { floor, ..self }
+    }
+
+    /// Returns the gain as a factor. See the [example](#example).
+    #[must_use]
+    pub const fn gain(&self) -> f32 {
+        self.gain
+    }
+
+    /// Returns the integration time in milliseconds.
+    #[must_use]
+    pub const fn time_ms(&self) -> f32 {
+        self.time_ms
+    }
+
+    /// Returns the first count that is not trusted any more. See the [example](#example).
+    #[must_use]
+    pub const fn full_scale(&self) -> u32 {
+        self.full_scale
+    }
+
+    /// Returns the least that all channels together must count above their dark levels.
+    #[must_use]
+    pub const fn floor(&self) -> f32 {
+        self.floor
+    }
+
+    /// Returns the basic counts that one raw count stands for, 1 / (gain * time), in counts per millisecond.
+    #[must_use]
+    pub const fn per_count(&self) -> f32 {
+        self.per_count
     }
 }

@@ -88,8 +88,8 @@ impl<const C: usize> Variances<C> {
         self.0
     }
 
-    /// Adds the variances of another, independent cause of noise, such as the dark frame that was subtracted;
-    /// see the [example](#example).
+    /// Adds the variances of another, independent cause of noise, such as the dark frame that was subtracted.
+    /// See the [example](#example).
     #[must_use]
     pub fn plus(mut self, other: &Variances<C>) -> Self {
         for (variance, more) in self.0.iter_mut().zip(&other.0) {
@@ -108,8 +108,8 @@ impl<const C: usize> Variances<C> {
         self
     }
 
-    /// Computes the standard uncertainty (k = 1) of each channel, which is the square root of its variance;
-    /// see the [example](#example).
+    /// Computes the standard uncertainty (k = 1) of each channel, which is the square root of its variance.
+    /// See the [example](#example).
     #[must_use]
     pub fn uncertainty(&self) -> BasicCounts<C> {
         BasicCounts::new(self.0.map(root))

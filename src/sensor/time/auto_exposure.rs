@@ -77,20 +77,10 @@ impl<'a> AutoExposure<'a> {
         if index == 0 { Err(LadderError::Empty) } else { Ok(AutoExposure { ladder, target: 0.8 }) }
     }
 
-    /// Replaces the target: the share of full scale, 0.1..=0.9, that the brightest channel shall stay below.
-    ///
-    /// A share outside this range counts as its nearer end. The advice moves to less sensitive exposures only
-    /// above (1 + target) / 2, so that it does not swing between two of them.
+    /// Returns the middle place of the ladder, where to begin. See the [example](#example).
     #[must_use]
-    pub const fn with_target(self, share: f32) -> Self {
-        let target = if share > 0.9 {
-            0.9
-        } else if share > 0.1 {
-            share
-        } else {
-            0.1
-        };
-        AutoExposure { target, ..self }
+    pub const fn middle(&self) -> usize {
+        self.ladder.len() / 2
     }
 
     /// Returns the exposure at a place of the ladder, or the last one for a place beyond it. See the
@@ -99,12 +89,6 @@ impl<'a> AutoExposure<'a> {
     pub fn exposure(&self, index: usize) -> Exposure {
         let last = self.ladder.last().copied().unwrap_or(Exposure::new(1.0, 1.0, 1));
         self.ladder.get(index).copied().unwrap_or(last)
-    }
-
-    /// Returns the middle place of the ladder, where to begin. See the [example](#example).
-    #[must_use]
-    pub const fn middle(&self) -> usize {
-        self.ladder.len() / 2
     }
 
     /// Returns the next place in the ladder, from the raw counts of a reading at the place `in_use`. See the
@@ -144,6 +128,22 @@ impl<'a> AutoExposure<'a> {
         let best = self.ladder.iter().rposition(fits).unwrap_or(0);
         let too_near = brightest > 0.5 * (1.0 + self.target) * used.full_scale() as f32;
         if best > in_use || too_near { Advice { next: best, ..stay } } else { stay }
+    }
+
+    /// Replaces the target: the share of full scale, 0.1..=0.9, that the brightest channel shall stay below.
+    ///
+    /// A share outside this range counts as its nearer end. The advice moves to less sensitive exposures only
+    /// above (1 + target) / 2, so that it does not swing between two of them.
+    #[must_use]
+    pub const fn with_target(self, share: f32) -> Self {
+        let target = if share > 0.9 {
+            0.9
+        } else if share > 0.1 {
+            share
+        } else {
+            0.1
+        };
+        AutoExposure { target, ..self }
     }
 }
 

@@ -44,9 +44,50 @@ impl<const CAP: usize> Window<CAP> {
         let _ = self.0.push_back(reading);
     }
 
-    /// Removes all readings, for instance after a change of exposure. See the [example](#example).
-    pub fn clear(&mut self) {
-        self.0.clear();
+    /// Computes the median of the readings, which is the mean of the middle two of an even number. See the
+    /// [example](#example).
+    ///
+    /// `None` without any reading, NaN if one of them is NaN.
+    ///
+    /// # Cost
+    /// `CAP` times `CAP` comparisons; nothing is copied or sorted.
+    #[must_use]
+    pub fn median(&self) -> Option<f32> {
+        if self.iter().any(|reading| reading.is_nan()) {
+            return Some(f32::NAN);
+        }
+        let upper = self.ranked(self.len() / 2)?;
+        if self.len() % 2 == 1 {
+            return Some(upper);
+        }
+        let lower = self.ranked(self.len() / 2 - 1)?;
+        Some(lower + 0.5 * (upper - lower))
+    }
+
+    /// Computes the mean of the readings, or `None` without any. See the [example](#example).
+    ///
+    /// NaN stays NaN.
+    #[must_use]
+    pub fn mean(&self) -> Option<f32> {
+        if self.is_empty() {
+            return None;
+        }
+        // Deviations from one of them are added, so that large readings that hardly differ keep their digits.
+        let about = self.last()?;
+        Some(about + self.iter().map(|reading| reading - about).sum::<f32>() / self.len() as f32)
+    }
+
+    /// Returns the newest reading, or `None` without any. See the [example](#example).
+    #[must_use]
+    pub fn last(&self) -> Option<f32> {
+        self.0.back().copied()
+    }
+
+    /// Returns the readings, the oldest first, as [`Flicker::of`](crate::sensor::Flicker::of) and
+    /// [`mean_over_periods`](crate::sensor::mean_over_periods) take them. See the [example](#example).
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &f32> + Clone {
+        let (older, newer) = self.0.as_slices();
+        older.iter().chain(newer)
     }
 
     /// Returns the number of readings, 0..=`CAP`. See the [example](#example).
@@ -67,50 +108,9 @@ impl<const CAP: usize> Window<CAP> {
         self.0.is_full()
     }
 
-    /// Returns the newest reading, or `None` without any. See the [example](#example).
-    #[must_use]
-    pub fn last(&self) -> Option<f32> {
-        self.0.back().copied()
-    }
-
-    /// Returns the readings, the oldest first, as [`Flicker::of`](crate::sensor::Flicker::of) and
-    /// [`mean_over_periods`](crate::sensor::mean_over_periods) take them. See the [example](#example).
-    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &f32> + Clone {
-        let (older, newer) = self.0.as_slices();
-        older.iter().chain(newer)
-    }
-
-    /// Computes the mean of the readings, or `None` without any. See the [example](#example).
-    ///
-    /// NaN stays NaN.
-    #[must_use]
-    pub fn mean(&self) -> Option<f32> {
-        if self.is_empty() {
-            return None;
-        }
-        // Deviations from one of them are added, so that large readings that hardly differ keep their digits.
-        let about = self.last()?;
-        Some(about + self.iter().map(|reading| reading - about).sum::<f32>() / self.len() as f32)
-    }
-
-    /// Computes the median of the readings, which is the mean of the middle two of an even number. See the
-    /// [example](#example).
-    ///
-    /// `None` without any reading, NaN if one of them is NaN.
-    ///
-    /// # Cost
-    /// `CAP` times `CAP` comparisons; nothing is copied or sorted.
-    #[must_use]
-    pub fn median(&self) -> Option<f32> {
-        if self.iter().any(|reading| reading.is_nan()) {
-            return Some(f32::NAN);
-        }
-        let upper = self.ranked(self.len() / 2)?;
-        if self.len() % 2 == 1 {
-            return Some(upper);
-        }
-        let lower = self.ranked(self.len() / 2 - 1)?;
-        Some(lower + 0.5 * (upper - lower))
+    /// Removes all readings, for instance after a change of exposure. See the [example](#example).
+    pub fn clear(&mut self) {
+        self.0.clear();
     }
 
     /// The reading that would stand at this place if all were sorted.
