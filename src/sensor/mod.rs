@@ -43,8 +43,8 @@
 //! the bins of a spectrum.
 //!
 //! A step that a program does not call costs nothing: dark counts, drift, cross-talk and glass are calls of
-//! their own, and what is linear and constant folds into the [`Calibration`]. Without an FPU, use [`fixed`]:
-//! the same calibration, computed in integers that cannot overflow.
+//! their own, and corrections that are linear and constant become part of the [`Calibration`]. Without an
+//! FPU, use [`fixed`]: the same calibration, computed in integers that cannot overflow.
 
 mod calibrate;
 pub mod chip;

@@ -12,7 +12,7 @@ use crate::sensor::{BasicCounts, ReadingError};
 ///
 /// A calibration comes from measured patches ([`Fit`](crate::sensor::Fit)), from a reconstruction that an eye
 /// looks at ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's
-/// application note ([`from_rows`](Self::from_rows)). What is linear and constant before it becomes part of
+/// application note ([`from_rows`](Self::from_rows)). Corrections that are linear and constant become part of
 /// the matrix while compiling: [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
 /// [`without_crosstalk`](Self::without_crosstalk).
 ///
@@ -101,7 +101,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     /// Corrects for a window or a diffuser in front of the chip, which passes `transmittance` (above 0) of
     /// every wavelength alike. See the [example](#example).
     ///
-    /// Colored glass belongs into the responsivities: [`Observer::through`](crate::Observer::through).
+    /// Colored glass belongs in the responsivities: [`Observer::through`](crate::Observer::through).
     #[must_use]
     pub const fn behind_glass(self, transmittance: f32) -> Self {
         self.scaled(1.0 / transmittance)

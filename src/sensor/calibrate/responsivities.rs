@@ -7,7 +7,7 @@ use crate::spectrum::Power;
 use ResponsivityErrorKind as Kind;
 use core::fmt;
 
-/// Reads a sensor's responsivities from CSV text while compiling, as of [`include_str!`].
+/// Reads a sensor's responsivities while compiling, from CSV text that [`include_str!`] takes from a file.
 ///
 /// The program then has the weights and not the text, and a wrong table does not build. There is one row for
 /// each node of the grid `G`, in order and complete: the wavelength in nm, then `C` columns, separated by

@@ -2,7 +2,7 @@
 //!
 //! # Example
 //!
-//! The chip reports calibrated values as `f32`, which gain and time make comparable like counts.
+//! The chip reports calibrated values as `f32`. Gain and time are divided out as they are for counts.
 //!
 //! ```
 //! use nanospectra::sensor::chip::as7262;
