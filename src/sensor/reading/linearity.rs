@@ -42,24 +42,6 @@ impl DeadTime {
         DeadTime { seconds: if seconds < 0.0 { 0.0 } else { seconds } }
     }
 
-    /// Computes how many events are counted per second when `arriving` ones arrive. See the
-    /// [example](#example).
-    ///
-    /// `arriving` is zero or more. The result is below one event in every dead time. NaN stays NaN.
-    ///
-    /// # Accuracy
-    /// 2 units of 2^-24.
-    #[must_use]
-    #[inline]
-    pub const fn counted(&self, arriving: f32) -> f32 {
-        let busy = self.seconds * arriving;
-        // So many arrive that the counter is always busy. (Infinity over infinity would be NaN.)
-        if busy == f32::INFINITY || arriving == f32::INFINITY {
-            return 1.0 / self.seconds;
-        }
-        arriving / (1.0 + busy)
-    }
-
     /// Computes how many events arrived per second when `counted` ones were counted. See the
     /// [example](#example).
     ///
@@ -76,6 +58,24 @@ impl DeadTime {
         let dead = if self.seconds == 0.0 { 0.0 } else { self.seconds * counted };
         let live = 1.0 - dead;
         if live <= 0.0 { None } else { Some(counted / live) }
+    }
+
+    /// Computes how many events are counted per second when `arriving` ones arrive. See the
+    /// [example](#example).
+    ///
+    /// `arriving` is zero or more. The result is below one event in every dead time. NaN stays NaN.
+    ///
+    /// # Accuracy
+    /// 2 units of 2^-24.
+    #[must_use]
+    #[inline]
+    pub const fn counted(&self, arriving: f32) -> f32 {
+        let busy = self.seconds * arriving;
+        // So many arrive that the counter is always busy. (Infinity over infinity would be NaN.)
+        if busy == f32::INFINITY || arriving == f32::INFINITY {
+            return 1.0 / self.seconds;
+        }
+        arriving / (1.0 + busy)
     }
 }
 
@@ -134,13 +134,6 @@ impl<const K: usize> Nonlinearity<K> {
         Some(bend)
     }
 
-    /// Computes what is read of a `signal` within 0..=1. See the [example](#example).
-    #[must_use]
-    #[inline]
-    pub const fn read(&self, signal: f32) -> f32 {
-        self.value_and_slope(signal).0
-    }
-
     /// Computes the signal, 0..=1, of what was read. See the [example](#example).
     ///
     /// `None` below the reading of zero and above that of full scale. NaN stays NaN.
@@ -175,6 +168,13 @@ impl<const K: usize> Nonlinearity<K> {
             step += 1;
         }
         Some(signal)
+    }
+
+    /// Computes what is read of a `signal` within 0..=1. See the [example](#example).
+    #[must_use]
+    #[inline]
+    pub const fn read(&self, signal: f32) -> f32 {
+        self.value_and_slope(signal).0
     }
 
     const fn value_and_slope(&self, x: f32) -> (f32, f32) {

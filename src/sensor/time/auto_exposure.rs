@@ -83,14 +83,6 @@ impl<'a> AutoExposure<'a> {
         self.ladder.len() / 2
     }
 
-    /// Returns the exposure at a place of the ladder, or the last one for a place beyond it. See the
-    /// [example](#example).
-    #[must_use]
-    pub fn exposure(&self, index: usize) -> Exposure {
-        let last = self.ladder.last().copied().unwrap_or(Exposure::new(1.0, 1.0, 1));
-        self.ladder.get(index).copied().unwrap_or(last)
-    }
-
     /// Returns the next place in the ladder, from the raw counts of a reading at the place `in_use`. See the
     /// [example](#example).
     ///
@@ -128,6 +120,14 @@ impl<'a> AutoExposure<'a> {
         let best = self.ladder.iter().rposition(fits).unwrap_or(0);
         let too_near = brightest > 0.5 * (1.0 + self.target) * used.full_scale() as f32;
         if best > in_use || too_near { Advice { next: best, ..stay } } else { stay }
+    }
+
+    /// Returns the exposure at a place of the ladder, or the last one for a place beyond it. See the
+    /// [example](#example).
+    #[must_use]
+    pub fn exposure(&self, index: usize) -> Exposure {
+        let last = self.ladder.last().copied().unwrap_or(Exposure::new(1.0, 1.0, 1));
+        self.ladder.get(index).copied().unwrap_or(last)
     }
 
     /// Replaces the target: the share of full scale, 0.1..=0.9, that the brightest channel shall stay below.
