@@ -102,7 +102,7 @@ const fn scaled(digits: u64, exponent: i32) -> f32 {
     if kept < 0 {
         return 0.0;
     }
-    // Nearest, ties to even.
+    // Rounds to the nearest, ties to even.
     let dropped = 64 - kept as u32;
     let (high, low) = if dropped >= 64 { (0, m) } else { (m >> dropped, m << (64 - dropped)) };
     let half = 1u64 << 63;

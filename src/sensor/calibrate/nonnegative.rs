@@ -11,10 +11,13 @@ use crate::sum::sum;
 /// Computes the spectrum without negative bins that explains the counts of one reading best.
 ///
 /// A [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED; this
-/// spectrum is 0 there, at the cost of a search for each reading. It is the least of |what the sensor would
-/// count - the counts|^2 + alpha * (mean signal of the channels)^2 * |spectrum|^2. `alpha` is
-/// [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more, as for a reconstruction; `max_iterations` limits
-/// the search. Counts below zero are noise, and no light explains them: they pull the spectrum to 0.
+/// spectrum is 0 there, at the cost of a search for each reading. The search minimizes `|G s - c|^2 + alpha
+/// g^2 |s|^2`, where s is the spectrum, G s what the sensor would count of it, c the counts, and g the mean
+/// signal of the channels.
+///
+/// `alpha` is [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more, as for a reconstruction;
+/// `max_iterations` limits the search. Counts below zero are noise, and no light explains them: they pull the
+/// spectrum to 0.
 ///
 /// ```
 /// use nanospectra::sensor::{DEFAULT_ALPHA, BasicCounts, nonnegative_spectrum, chip::as7341};

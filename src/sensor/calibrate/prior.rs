@@ -62,7 +62,7 @@ pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]
     while k < N {
         let (mut pivot, mut variance) = (0, 0.0);
         let mut i = 0;
-        // (A NaN is taken and spreads.)
+        // (A NaN is chosen as the pivot and spreads.)
         while i < N && variance >= 0.0 {
             if left[i] > variance || left[i].is_nan() {
                 (pivot, variance) = (i, left[i]);

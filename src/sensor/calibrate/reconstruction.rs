@@ -178,7 +178,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         alpha: f32,
     ) -> Result<Self, FitError> {
         let columns = semidefinite_root(covariance);
-        // L' G'
+        // The channels times the root of the covariance: L' G'.
         let mut a = [[0.0; N]; C];
         const_for!(0..C, |c| {
             const_for!(0..N, |j| a[c][j] = dot(&columns[j], &sensor.weights()[c]));

@@ -108,7 +108,7 @@ impl<const C: usize> FixedMeter<C> {
         const_for!(0..3, |d| {
             let mut sum = 0.0;
             const_for!(0..C, |c| sum += (rows[d][c] as f64 * per_count).abs() * 65_536.0);
-            // A NaN stays, since no comparison with it is true.
+            // A NaN comes in, since no comparison with it is true, and then it stays.
             largest = if sum <= largest || largest.is_nan() { largest } else { sum };
         });
         if !(largest > 0.0 && largest < f64::INFINITY) {
