@@ -1,6 +1,9 @@
 //! Turns the raw counts of color sensors and mini-spectrometers into XYZ, illuminance, color temperature and
 //! spectra.
 //!
+//! The guide to [sensors and calibration](crate::guide::sensors) goes through it step by step, from a first
+//! reading to an instrument.
+//!
 //! # Example
 //!
 //! An AS7341 with the nominal responsivities of its data sheet. The compiler works out the calibration, 96
