@@ -5,11 +5,14 @@ use crate::math::const_for;
 use crate::sensor::calibrate::positive;
 use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 
-/// A light meter: exposure, dark level and calibration folded into one matrix, so that a count is only
-/// converted, checked and multiplied.
+/// A light meter that turns raw counts into XYZ in one pass over the channels.
 ///
-/// For an instrument whose exposure stays (or one `Meter` for each of a few); the same numbers, to rounding,
-/// come from [`Exposure::basic_counts`] and [`Calibration::xyz`] step by step.
+/// Exposure, dark level and calibration are one matrix, so that each count is only converted, checked and
+/// multiplied. [`new`](Self::new) makes the meter, in a `static` too, and [`xyz`](Self::xyz) reads it. It
+/// suits an instrument whose exposure stays (or take one `Meter` for each of a few exposures). The same
+/// numbers, to rounding, come step by step from [`Exposure::basic_counts`] and [`Calibration::xyz`].
+///
+/// # Example
 ///
 /// ```
 /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
@@ -22,16 +25,16 @@ use crate::sensor::{Calibration, Count, Exposure, ReadingError};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meter<const C: usize> {
-    /// Of each channel, what a count adds to X, Y and Z.
+    /// What a count of each channel adds to X, Y and Z.
     columns: [[f32; 3]; C],
-    /// What the sums start from.
+    /// What the sums start from: the dark levels, subtracted.
     start: [f32; 3],
     full_scale: u32,
     floor: f32,
 }
 
 impl<const C: usize> Meter<C> {
-    /// A meter for readings with this exposure.
+    /// Makes a meter for readings with this exposure, in a `static` too. See the [example](#example).
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Self {
         let mut columns = [[0.0; 3]; C];
@@ -41,42 +44,7 @@ impl<const C: usize> Meter<C> {
         Meter { columns, start: [0.0; 3], full_scale: exposure.full_scale(), floor: exposure.floor() }
     }
 
-    /// A meter that first takes these dark levels, in counts of the exposure, off each channel.
-    #[must_use]
-    pub const fn new_above(
-        exposure: &Exposure,
-        dark_levels: &[f32; C],
-        calibration: &Calibration<C>,
-    ) -> Self {
-        let mut meter = Self::new(exposure, calibration);
-        const_for!(0..C, |c| {
-            meter.floor += dark_levels[c];
-            const_for!(0..3, |d| meter.start[d] -= meter.columns[c][d] * dark_levels[c]);
-        });
-        meter
-    }
-
-    /// The same meter with every result multiplied by `k`: what a lux meter reads, divided by this meter's Y.
-    ///
-    /// ```
-    /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
-    /// # static TO_XYZ: Calibration<2> = Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [0.0, 1.1]]);
-    /// let meter = Meter::new(&Exposure::new(4.0, 25.0, 65_535), &TO_XYZ);
-    /// let counts = [1000_u16, 2000]; // under 500 lx
-    /// let meter = meter.scaled(500.0 / meter.xyz(&counts)?.y);
-    /// assert!((meter.xyz(&counts)?.y - 500.0).abs() < 1e-3);
-    /// # Ok::<(), ReadingError>(())
-    /// ```
-    #[must_use]
-    pub const fn scaled(mut self, k: f32) -> Self {
-        const_for!(0..3, |d| {
-            self.start[d] *= k;
-            const_for!(0..C, |c| self.columns[c][d] *= k);
-        });
-        self
-    }
-
-    /// The tristimulus values of one reading.
+    /// Computes the tristimulus values of one reading. See the [example](#example).
     ///
     /// # Errors
     /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
@@ -99,5 +67,41 @@ impl<const C: usize> Meter<C> {
             return Err(ReadingError::because(counts, self.full_scale));
         }
         positive(Xyz { x, y, z })
+    }
+
+    /// Makes a meter that first subtracts these dark levels, in counts of the exposure, from each channel.
+    /// See the [example](#example).
+    #[must_use]
+    pub const fn new_above(
+        exposure: &Exposure,
+        dark_levels: &[f32; C],
+        calibration: &Calibration<C>,
+    ) -> Self {
+        let mut meter = Self::new(exposure, calibration);
+        const_for!(0..C, |c| {
+            meter.floor += dark_levels[c];
+            const_for!(0..3, |d| meter.start[d] -= meter.columns[c][d] * dark_levels[c]);
+        });
+        meter
+    }
+
+    /// Multiplies every result by `k`: what a reference lux meter reads, divided by this meter's Y.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};
+    /// # static TO_XYZ: Calibration<2> = Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [0.0, 1.1]]);
+    /// let meter = Meter::new(&Exposure::new(4.0, 25.0, 65_535), &TO_XYZ);
+    /// let counts = [1000_u16, 2000]; // under 500 lx
+    /// let meter = meter.scaled(500.0 / meter.xyz(&counts)?.y);
+    /// assert!((meter.xyz(&counts)?.y - 500.0).abs() < 1e-3);
+    /// # Ok::<(), ReadingError>(())
+    /// ```
+    #[must_use]
+    pub const fn scaled(mut self, k: f32) -> Self {
+        const_for!(0..3, |d| {
+            self.start[d] *= k;
+            const_for!(0..C, |c| self.columns[c][d] *= k);
+        });
+        self
     }
 }

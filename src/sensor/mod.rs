@@ -1,30 +1,53 @@
-//! Color sensors and mini-spectrometers: from the counts of a chip to color.
+//! Turns the raw counts of color sensors and mini-spectrometers into XYZ, illuminance, color temperature and
+//! spectra.
+//!
+//! The guide to [sensors and calibration](crate::guide::sensors) goes through it step by step, from a first
+//! reading to an instrument.
+//!
+//! # Example
+//!
+//! An AS7341 with the nominal responsivities of its data sheet. The compiler works out the calibration, 96
+//! bytes; what runs on the device is a division by gain and time and one matrix product.
 //!
 //! ```
 //! use nanospectra::color::Cct;
 //! use nanospectra::observer::CIE_1931;
-//! use nanospectra::sensor::{Calibration, Reconstruction, chip::as7341};
+//! use nanospectra::sensor::{Calibration, ReadingError, Reconstruction, chip::as7341};
 //! use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 //!
 //! type Grid = Nodes<400, 700>;
 //! static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 //! static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
-//! /// Counts to spectrum to XYZ, folded while compiling: 96 bytes.
+//! /// Counts to spectrum to XYZ, as one matrix.
 //! static TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 //!
 //! let exposure = as7341::exposure(16.0, 29, 599); // gain 16, 50 ms
-//! let counts: [u16; 8] = [820, 2310, 3050, 4100, 5200, 6050, 7400, 6900];
+//! // Simulated counts of F1 to F8 under a white LED, CIE illuminant LED-B3.
+//! let counts: [u16; 8] = [416, 3675, 2876, 4434, 6022, 6825, 6864, 3069];
 //! let xyz = TO_XYZ.xyz(&exposure.basic_counts(&counts)?)?;
-//! assert!(matches!(xyz.uv1960().map(|uv| uv.cct()), Some(Cct::Near { .. })));
-//! # Ok::<(), nanospectra::sensor::ReadingError>(())
+//! let Some(Cct::Near { cct_k, .. }) = xyz.cct() else { return Ok(()) };
+//! assert!((cct_k / 4103.0 - 1.0).abs() < 0.01); // CIE 15:2018: 4103 K
+//! # Ok::<(), ReadingError>(())
 //! ```
 //!
-//! What data sheets say of a chip stands in [`chip`], one file for each. An instrument is made from what is
-//! measured of your own: an [`Observer`](crate::Observer) with its responsivities, from a table
-//! ([`responsivities`]), or patches of known color ([`Fit`]). A step that a program does not call costs
-//! nothing: dark counts, drift, cross-talk and glass are calls of their own, and what is linear and constant
-//! folds into the [`Calibration`]. Without an FPU, use [`fixed`]: the same calibration, computed in integers
-//! that cannot overflow.
+//! # The steps
+//!
+//! 1. An [`Exposure`] divides counts by gain and time, and refuses readings that are saturated or too dark.
+//!    [`DarkCounts`] and [`BasicCounts::without`] remove dark counts and drift.
+//! 2. A [`Calibration`] turns the result into XYZ. It comes from the responsivities of the chip by way of a
+//!    [`Reconstruction`], or from measured patches of known color by a [`Fit`]. [`Meter`] joins both steps
+//!    for an exposure that stays.
+//! 3. [`Noise`] and [`Calibration::covariance`] tell how uncertain the results are, [`AutoExposure`] which
+//!    exposure to take next, and [`Flicker`] how much the light flickers.
+//!
+//! What data sheets say of a chip stands in [`chip`], one module for each. It is enough for a first look; an
+//! instrument is made from what is measured of your own chip: a table of its responsivities
+//! ([`responsivities`]) or measured patches. [`PixelWavelengths`] puts the pixels of a mini-spectrometer into
+//! the bins of a spectrum.
+//!
+//! A step that a program does not call costs nothing: dark counts, drift, cross-talk and glass are calls of
+//! their own, and corrections that are linear and constant become part of the [`Calibration`]. Without an
+//! FPU, use [`fixed`]: the same calibration, computed in integers that cannot overflow.
 
 mod calibrate;
 pub mod chip;

@@ -1,4 +1,4 @@
-//! Mini-spectrometers: from the counts of pixels to the bins of a grid.
+//! Mini-spectrometers: from the counts of pixels to the bins of a spectrum.
 
 use crate::grid::Grid;
 use crate::sensor::Count;
@@ -6,12 +6,17 @@ use crate::spectrum::{PerBin, Spectrum};
 use core::fmt;
 use core::ops::Range;
 
-/// The wavelengths of the `P` pixels of one spectrometer, by the polynomial with `K` coefficients from its
-/// certificate (six, of fifth order, for a C12880MA), in nm.
+/// The wavelengths of the `P` pixels of one spectrometer, which follow a polynomial with `K` coefficients
+/// from its certificate.
+///
+/// A C12880MA comes with six coefficients, of fifth order, in nm. [`new`](Self::new) takes them, and
+/// [`rebinned`](Self::rebinned) puts counts into the bins of a spectrum.
+///
+/// # Example
 ///
 /// ```
 /// use nanospectra::sensor::{FirstPixel, PixelWavelengths};
-/// // A C12880MA; its sheet counts pixels from 1.
+/// // The coefficients of one C12880MA, whose certificate counts pixels from 1.
 /// static UNIT: PixelWavelengths<288> = nanospectra::const_unwrap!(PixelWavelengths::new(
 ///     [3.102_449e2, 2.683_674, -1.121_367e-3, -6.962_632e-6, 8.478_353e-9, 5.208_724e-12],
 ///     FirstPixel::One,
@@ -27,32 +32,38 @@ pub struct PixelWavelengths<const P: usize, const K: usize = 6> {
     first: FirstPixel,
 }
 
-/// The number that a certificate gives to the first pixel. Taken wrongly it shifts a C12880MA by 2.7 nm.
+/// Which number a certificate gives to the first pixel. The wrong choice shifts a C12880MA by 2.7 nm.
+///
+/// See the [example](PixelWavelengths#example) of a unit whose pixels count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FirstPixel {
-    /// Pixels count from 0.
+    /// The first pixel has the number 0.
     Zero,
-    /// Pixels count from 1, as Hamamatsu's do.
+    /// The first pixel has the number 1, as on the certificates of Hamamatsu.
     One,
 }
 
-/// Pixel counts put into the bins of a grid.
+/// The counts of all pixels, put into the bins of a grid.
+///
+/// [`PixelWavelengths::rebinned`] returns it and has an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rebinned<const N: usize, G> {
-    /// The counts in each bin.
+    /// The counts that fell into each bin.
     pub counts: Spectrum<PerBin, N, G>,
     /// The counts that fell outside the grid.
     pub outside: f32,
 }
 
 impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
-    /// From the coefficients, the constant one first: nm = `coefficients[0]` + `coefficients[1]` p + .. for
-    /// pixel p.
+    /// Takes the coefficients of one unit, the constant one first. See the [example](#example).
+    ///
+    /// The wavelength of pixel p is `coefficients[0]` + `coefficients[1]` p + `coefficients[2]` p^2 and so
+    /// on, in nm.
     ///
     /// # Errors
-    /// [`PixelWavelengthsError`] with the first pixel whose upper edge is not above its lower one: a mistyped
-    /// coefficient, an exponent lost, the order reversed, or NaN.
+    /// [`PixelWavelengthsError`] with the first pixel whose upper edge is not above its lower one, as after a
+    /// mistyped coefficient, a lost exponent, a reversed order, or with NaN.
     pub const fn new(coefficients: [f32; K], first: FirstPixel) -> Result<Self, PixelWavelengthsError> {
         let unit = PixelWavelengths { coefficients, first };
         let mut pixel = 0;
@@ -66,38 +77,12 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         Ok(unit)
     }
 
-    /// The center of pixel `pixel`, in nm; here pixels count from 0 always.
-    #[must_use]
-    pub const fn nm(&self, pixel: usize) -> f32 {
-        self.at(pixel as f32)
-    }
-
-    /// The lower edge of pixel `pixel` (or the upper end, for `pixel` = `P`), in nm: half way to its
-    /// neighbor.
-    #[must_use]
-    pub const fn edge_nm(&self, pixel: usize) -> f32 {
-        self.at(pixel as f32 - 0.5)
-    }
-
-    const fn at(&self, pixel: f32) -> f32 {
-        let p = match self.first {
-            FirstPixel::Zero => pixel,
-            FirstPixel::One => pixel + 1.0,
-        };
-        let (mut nm, mut k) = (0.0, K);
-        while k > 0 {
-            k -= 1;
-            nm = nm * p + self.coefficients[k];
-        }
-        nm
-    }
-
-    /// Distributes counts (dark ones taken off) over the bins of a grid, each pixel by how much of it lies in
-    /// a bin.
+    /// Distributes counts over the bins of a grid, each pixel in proportion to how much of it lies in a bin.
     ///
-    /// A pixel has already summed up what falls on its width, so counts are split and added up and never
-    /// multiplied by a step; [`density`](Spectrum::density) then divides by the width of the bins. For power,
-    /// multiply by the `Factor` 1 over the spectrometer's responsivity.
+    /// Subtract dark counts first ([`above_dark_pixels`]). A pixel has already summed up the light on its
+    /// width, so counts are split and added up and never multiplied by a step; [`density`](Spectrum::density)
+    /// then divides by the width of the bins. To get power, multiply by the `Factor` 1 over the responsivity
+    /// of the spectrometer.
     ///
     /// ```
     /// # use nanospectra::{Bins, sensor::{FirstPixel, PixelWavelengths}};
@@ -125,7 +110,7 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
             }
             let per_nm = count / (high - low);
             let start = Spectrum::<PerBin, N, G>::edge_nm(0);
-            // What is given to no bin stays over.
+            // The part that no bin takes is left over.
             let (mut left, mut from) = (*count, low.max(start));
             for (bin, value) in bins.values_mut().iter_mut().enumerate().skip(first) {
                 if from >= high {
@@ -143,12 +128,46 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         }
         Rebinned { counts: bins, outside }
     }
+
+    /// Returns the center of pixel `pixel` in nm, where pixels always count from 0. See the
+    /// [example](#example).
+    #[must_use]
+    pub const fn nm(&self, pixel: usize) -> f32 {
+        self.at(pixel as f32)
+    }
+
+    /// Returns the lower edge of pixel `pixel` in nm, half way to the pixel before it; `pixel` = `P` gives
+    /// the upper end of the last one.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{FirstPixel, PixelWavelengths};
+    /// let unit = PixelWavelengths::<100, 2>::new([400.0, 3.0], FirstPixel::Zero)?; // 400 nm, 403 nm ..
+    /// assert_eq!((unit.nm(1), unit.edge_nm(1), unit.edge_nm(100)), (403.0, 401.5, 698.5));
+    /// # Ok::<(), nanospectra::sensor::PixelWavelengthsError>(())
+    /// ```
+    #[must_use]
+    pub const fn edge_nm(&self, pixel: usize) -> f32 {
+        self.at(pixel as f32 - 0.5)
+    }
+
+    const fn at(&self, pixel: f32) -> f32 {
+        let p = match self.first {
+            FirstPixel::Zero => pixel,
+            FirstPixel::One => pixel + 1.0,
+        };
+        let (mut nm, mut k) = (0.0, K);
+        while k > 0 {
+            k -= 1;
+            nm = nm * p + self.coefficients[k];
+        }
+        nm
+    }
 }
 
-/// Counts above the mean of the masked pixels, which lie in the dark beside the others: `None` if the range
-/// is empty or beyond the last pixel.
+/// Subtracts the mean of the masked pixels, which lie in the dark beside the others, from every count.
 ///
-/// The same number is taken off every pixel; what differs from pixel to pixel needs a dark frame
+/// `None` if the range is empty or goes beyond the last pixel. The same number is subtracted from every
+/// pixel; a dark level that differs from pixel to pixel needs a dark frame
 /// ([`Exposure::basic_counts_above`](crate::sensor::Exposure::basic_counts_above)).
 ///
 /// ```
@@ -163,14 +182,21 @@ pub fn above_dark_pixels<T: Count, const P: usize>(
     masked: Range<usize>,
 ) -> Option<[f32; P]> {
     let dark = counts.get(masked).filter(|dark| !dark.is_empty())?;
-    // As deviations from the first: exact for equal counts, and small numbers for the rest.
+    // The mean of deviations from the first pixel is exact for equal counts, and rounds little for others.
     let reference = dark.first()?.to_f32();
     let deviations = dark.iter().fold(0.0, |sum, count| sum + (count.to_f32() - reference));
     let level = reference + deviations / dark.len() as f32;
     Some(counts.map(|count| count.to_f32() - level))
 }
 
-/// Why a polynomial was refused: its wavelengths do not rise from pixel to pixel.
+/// Why a polynomial was refused, which is that its wavelengths do not rise from pixel to pixel.
+///
+/// ```
+/// # use nanospectra::sensor::{FirstPixel, PixelWavelengths, PixelWavelengthsError};
+/// // A mistyped exponent, -3.23e-2 for -3.23e-4: the wavelengths fall from pixel 42 on.
+/// let unit = PixelWavelengths::<288, 3>::new([310.0, 2.68, -3.23e-2], FirstPixel::Zero);
+/// assert_eq!(unit, Err(PixelWavelengthsError { pixel: 42 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PixelWavelengthsError {
@@ -179,7 +205,7 @@ pub struct PixelWavelengthsError {
 }
 
 impl PixelWavelengthsError {
-    /// The reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
+    /// Returns the reason without its numbers, for [`const_unwrap!`](crate::const_unwrap).
     #[must_use]
     pub const fn message(&self) -> &'static str {
         "the wavelengths of pixels do not rise: check the coefficients, their exponents and their order"

@@ -4,34 +4,67 @@ use crate::color::Xyz;
 use crate::math::const_for;
 use crate::sensor::{BasicCounts, ReadingError};
 
-/// A matrix from the basic counts of `C` channels to `D` results: XYZ (`D` = 3), illuminance or PPFD alone
-/// (`D` = 1), or anything else that is linear.
+/// A matrix that turns the basic counts of `C` channels into XYZ, lux or `D` other results.
 ///
-/// It comes from measured patches ([`Fit`](crate::sensor::Fit)), from a reconstruction seen by an eye
-/// ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's application
-/// note ([`from_rows`](Self::from_rows)). What is linear and constant in front of it folds in, while
-/// compiling: [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
+/// The results are XYZ (`D` = 3), illuminance or PPFD alone (`D` = 1), or anything else that is linear in the
+/// light. The first call is [`xyz`](Self::xyz), or [`apply`](Self::apply) for other results. Y is in lux if
+/// the calibration was made in lux, or if it was [scaled](Self::scaled) to one known illuminance.
+///
+/// A calibration comes from measured patches ([`Fit`](crate::sensor::Fit)), from a reconstruction that an eye
+/// looks at ([`Reconstruction::seen_by`](crate::sensor::Reconstruction::seen_by)), or from the maker's
+/// application note ([`from_rows`](Self::from_rows)). Corrections that are linear and constant become part of
+/// the matrix while compiling: [`behind_glass`](Self::behind_glass), [`corrected`](Self::corrected),
 /// [`without_crosstalk`](Self::without_crosstalk).
 ///
-/// Y is in lux if the calibration was made in lux, or scaled to one known illuminance.
+/// # Example
+///
+/// ```
+/// use nanospectra::sensor::{BasicCounts, Calibration, ReadingError};
+///
+/// static TO_XYZ: Calibration<2> = Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [-0.2, 1.1]]);
+/// let basic = BasicCounts::new([10.0, 20.0]);
+/// let xyz = TO_XYZ.xyz(&basic)?;
+/// assert!((xyz.y - 16.0).abs() < 1e-5); // 0.4 * 10 + 0.6 * 20
+/// assert_eq!(TO_XYZ.apply(&basic)[1], xyz.y);
+/// assert_eq!(TO_XYZ.rows()[1], [0.4, 0.6]);
+/// // A light that only the first channel sees would have a negative Z.
+/// let red = TO_XYZ.xyz(&BasicCounts::new([10.0, 0.0]));
+/// assert!(matches!(red, Err(ReadingError::Negative { xyz }) if xyz.z == -2.0));
+///
+/// // A reference meter reads 480 lx of the same light: Y in lux from here on.
+/// let to_lux = TO_XYZ.scaled(480.0 / xyz.y);
+/// assert!((to_lux.xyz(&basic)?.y - 480.0).abs() < 1e-3);
+/// // Behind a diffuser that passes 80 %, the same counts stand for more light.
+/// assert!((to_lux.behind_glass(0.8).xyz(&basic)?.y - 600.0).abs() < 1e-3);
+/// // Another chip counts half as much in the second channel.
+/// let other = to_lux.corrected(&[1.0, 2.0]).xyz(&BasicCounts::new([10.0, 10.0]))?;
+/// assert!((other.y - 480.0).abs() < 1e-3);
+/// # Ok::<(), ReadingError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct Calibration<const C: usize, const D: usize = 3>([[f32; C]; D]);
 
+impl<const C: usize> Calibration<C> {
+    /// Computes the tristimulus values of one reading. See the [example](#example).
+    ///
+    /// # Errors
+    /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
+    #[inline]
+    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, ReadingError> {
+        positive(self.apply(basic).into())
+    }
+}
+
 impl<const C: usize, const D: usize> Calibration<C, D> {
-    /// A calibration with these rows: row `d` holds the weight of each channel in result `d`.
+    /// Takes the rows of a matrix, where row `d` holds the weight of each channel in result `d`. See the
+    /// [example](#example).
     #[must_use]
     pub const fn from_rows(rows: [[f32; C]; D]) -> Self {
         Calibration(rows)
     }
 
-    /// The rows: the weight of each channel in each result.
-    #[must_use]
-    pub const fn rows(&self) -> &[[f32; C]; D] {
-        &self.0
-    }
-
-    /// Multiplies basic counts by the matrix, without looking at the sign of the results.
+    /// Multiplies basic counts by the matrix, whatever the sign of the results. See the [example](#example).
     ///
     /// # Accuracy
     /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
@@ -47,38 +80,55 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         sums
     }
 
-    /// The same calibration with every result multiplied by `k`, as by a lux meter's reading over this one's.
+    /// Multiplies every result by `k`: what a reference lux meter reads, divided by this calibration's Y. See
+    /// the [example](#example).
     #[must_use]
     pub const fn scaled(mut self, k: f32) -> Self {
         const_for!(0..D, |d| const_for!(0..C, |c| self.0[d][c] *= k));
         self
     }
 
-    /// The same calibration for another chip, whose channels multiplied by `factors` are those of the one
-    /// that was calibrated (the golden device).
+    /// Adapts the calibration of one chip to another of its kind. See the [example](#example).
+    ///
+    /// `factors` times the counts of the other chip are the counts of the one that was calibrated (the golden
+    /// device).
     #[must_use]
     pub const fn corrected(mut self, factors: &[f32; C]) -> Self {
         const_for!(0..D, |d| const_for!(0..C, |c| self.0[d][c] *= factors[c]));
         self
     }
 
-    /// The same calibration for a chip behind a window or a diffuser that passes `transmittance` (above 0) of
-    /// every wavelength alike. Glass with a color belongs into the responsivities:
-    /// [`Observer::through`](crate::Observer::through).
+    /// Corrects for a window or a diffuser in front of the chip, which passes `transmittance` (above 0) of
+    /// every wavelength alike. See the [example](#example).
+    ///
+    /// Colored glass belongs in the responsivities: [`Observer::through`](crate::Observer::through).
     #[must_use]
     pub const fn behind_glass(self, transmittance: f32) -> Self {
         self.scaled(1.0 / transmittance)
     }
 
-    /// The same calibration for counts in which channels leak into each other: count `i` is the sum over `j`
-    /// of `crosstalk[i][j]` times the true one.
+    /// Corrects for channels that leak into each other.
+    ///
+    /// Count `i` is the sum over `j` of `crosstalk[i][j]` times the count that channel `j` would have had
+    /// without leakage.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{BasicCounts, Calibration};
+    /// // A tenth of the second channel leaks into the first one.
+    /// static LEAK: [[f32; 2]; 2] = [[1.0, 0.1], [0.0, 1.0]];
+    /// static TO_XYZ: Calibration<2> = nanospectra::const_unwrap!(
+    ///     Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [0.0, 1.1]]).without_crosstalk(&LEAK)
+    /// );
+    /// let y = TO_XYZ.apply(&BasicCounts::new([12.0, 20.0]))[1]; // without leakage: 10 and 20
+    /// assert!((y - 16.0).abs() < 1e-5);
+    /// ```
     ///
     /// # Errors
-    /// [`CrosstalkError`] when the leakage cannot be undone: a pivot of the elimination is below 1e-4 of its
-    /// row.
+    /// [`CrosstalkError`] when the leakage cannot be undone, which is when a pivot of the elimination is
+    /// below 1e-4 of its row.
     pub const fn without_crosstalk(mut self, crosstalk: &[[f32; C]; C]) -> Result<Self, CrosstalkError> {
-        // With M the matrix of the leakage and W the rows here, the new rows solve V M = W: Gauss on M's
-        // transpose, with the largest pivot of each column.
+        // With M the matrix of the leakage and W the rows here, the new rows V solve V M = W. This is Gauss's
+        // elimination on M's transpose, with the largest pivot of each column.
         let mut m = [[0.0; C]; C];
         const_for!(0..C, |i| {
             let mut largest = 0.0;
@@ -86,7 +136,7 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
                 let size = crosstalk[j][i].abs();
                 largest = if size > largest { size } else { largest };
             });
-            // Rows of equal size, so that a pivot can be judged.
+            // Rows of equal size, so that a pivot can be judged by its size.
             let unit = if largest > 0.0 { 1.0 / largest } else { 0.0 };
             const_for!(0..C, |j| m[i][j] = crosstalk[j][i] * unit);
             const_for!(0..D, |d| self.0[d][i] *= unit);
@@ -118,20 +168,15 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         const_for!(0..C, |k| const_for!(0..D, |d| self.0[d][k] /= m[k][k]));
         Ok(self)
     }
-}
 
-impl<const C: usize> Calibration<C> {
-    /// The tristimulus values of one reading.
-    ///
-    /// # Errors
-    /// `Negative`, with the sums, if one of them is below zero. NaN stays NaN.
-    #[inline]
-    pub fn xyz(&self, basic: &BasicCounts<C>) -> Result<Xyz, ReadingError> {
-        positive(self.apply(basic).into())
+    /// Returns the rows, which hold the weight of each channel in each result. See the [example](#example).
+    #[must_use]
+    pub const fn rows(&self) -> &[[f32; C]; D] {
+        &self.0
     }
 }
 
-/// The color, if no sum is negative.
+/// Returns the color, if no sum is negative.
 #[inline]
 pub(in crate::sensor) fn positive(xyz: Xyz) -> Result<Xyz, ReadingError> {
     if xyz.x < 0.0 || xyz.y < 0.0 || xyz.z < 0.0 {
@@ -149,13 +194,23 @@ impl<const C: usize, const D: usize> defmt::Format for Calibration<C, D> {
     }
 }
 
-/// Why cross-talk cannot be undone: it mixes channels so that they cannot be told apart again.
+/// Why cross-talk cannot be undone, which is that it mixes channels so that they cannot be told apart again.
+///
+/// [`Calibration::without_crosstalk`] returns it.
+///
+/// ```
+/// # use nanospectra::sensor::{Calibration, CrosstalkError};
+/// // Both channels count the same sum.
+/// let leak = [[0.5, 0.5], [0.5, 0.5]];
+/// let to_lux = Calibration::from_rows([[0.4, 0.6]]);
+/// assert_eq!(to_lux.without_crosstalk(&leak), Err(CrosstalkError));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CrosstalkError;
 
 impl CrosstalkError {
-    /// The reason, for [`const_unwrap!`](crate::const_unwrap) too.
+    /// Returns the reason, for [`const_unwrap!`](crate::const_unwrap) too.
     #[must_use]
     pub const fn message(&self) -> &'static str {
         "the cross-talk mixes channels so that they cannot be told apart again"

@@ -1,7 +1,9 @@
-//! Numbers as people write them, to f32, in integers and in `const fn`.
+//! Converts numbers as people write them to f32, in integers and in `const fn`.
 
-/// The number that begins at `at`: sign, digits with or without a point, exponent. `None` if there is no
-/// digit; and where it ends. Beyond the range of f32 it is infinite.
+/// Reads the number that begins at `at`, with sign, digits with or without a point, and exponent; and returns
+/// where it ends.
+///
+/// `None` if there is no digit. Beyond the range of f32 the number is infinite.
 ///
 /// # Accuracy
 /// The nearest f32. (Of more than 19 digits, or below 1e-19 or beyond 1e19, it may be the other one within
@@ -71,7 +73,7 @@ const fn scaled(digits: u64, exponent: i32) -> f32 {
     let mut m = digits << digits.leading_zeros();
     let (mut left, mut inexact) = (exponent, false);
     while left > 0 {
-        // m * 10 / 16, in halves that fit.
+        // Computes m * 10 / 16 in two parts that do not overflow.
         let product = (m >> 4) * 10 + (((m & 15) * 10) >> 4);
         inexact |= ((m & 15) * 10) & 15 != 0;
         binary += 4;
@@ -81,7 +83,7 @@ const fn scaled(digits: u64, exponent: i32) -> f32 {
         left -= 1;
     }
     while left < 0 {
-        // m / 10^n as a quotient, and the bits below it from its remainder.
+        // Computes m / 10^n as a quotient, and the bits below it from the remainder.
         let n = if left < -9 { 9 } else { -left };
         let divisor = power_of_ten(n);
         let (quotient, rest) = (m / divisor, m % divisor);
@@ -100,7 +102,7 @@ const fn scaled(digits: u64, exponent: i32) -> f32 {
     if kept < 0 {
         return 0.0;
     }
-    // Nearest, ties to even.
+    // Rounds to the nearest, ties to even.
     let dropped = 64 - kept as u32;
     let (high, low) = if dropped >= 64 { (0, m) } else { (m >> dropped, m << (64 - dropped)) };
     let half = 1u64 << 63;
@@ -111,7 +113,7 @@ const fn scaled(digits: u64, exponent: i32) -> f32 {
     f32::from_bits(bits)
 }
 
-/// 10^n for n in 1..=9; 10 for others. (Never 0, so that dividing by it cannot panic.)
+/// Returns 10^n for n in 1..=9, and 10 for others. (Never 0, so that dividing by it cannot panic.)
 const fn power_of_ten(n: i32) -> u64 {
     match n {
         2 => 100,

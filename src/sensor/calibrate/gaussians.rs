@@ -5,14 +5,16 @@ use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::Power;
 
-/// Gaussian channels on any grid, from (peak, full width at half maximum), both in nm; each 1 at its peak.
+/// Makes Gaussian channels on any grid from (peak, full width at half maximum), both in nm, each 1 at its
+/// peak.
 ///
 /// On bins wider than a few nanometers these are values at the centers and not averages: make them on 1 nm
 /// and [`fold`](Observer::fold).
 ///
 /// ```
 /// # use nanospectra::{Nodes, Observer, Power, sensor::gaussian_responsivities};
-/// static MINE: Observer<2, 701, Power, Nodes<300, 1000>> = gaussian_responsivities([(450.0, 40.0), (850.0, 60.0)]);
+/// static MINE: Observer<2, 701, Power, Nodes<300, 1000>> =
+///     gaussian_responsivities([(450.0, 40.0), (850.0, 60.0)]);
 /// assert!((MINE.weights()[0][170] - 0.5).abs() < 1e-6); // 470 nm: half of the peak
 /// ```
 #[must_use]
@@ -31,7 +33,7 @@ pub const fn gaussian_responsivities<const C: usize, const N: usize, G: Grid>(
     Observer::from_rows(rows)
 }
 
-/// 2^x for x <= 0, in const fn; what is below 2^-40 becomes 0.
+/// Computes 2^x for x <= 0 in `const fn`, where results below 2^-40 become 0.
 const fn exp2_below_zero(x: f64) -> f64 {
     if x < -40.0 {
         return 0.0;

@@ -8,14 +8,16 @@ use crate::sensor::{BasicCounts, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::sum;
 
-/// The spectrum without negative bins that explains the counts best: the least of |what the sensor would
-/// count
-/// - the counts|^2 + alpha * (mean signal of the channels)^2 * |spectrum|^2.
+/// Computes the spectrum without negative bins that explains the counts of one reading best.
 ///
-/// Where a [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED,
-/// this one is 0. It costs a search each time; `alpha` is as there,
-/// [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more. Counts below zero are noise, and no light
-/// explains them: they pull the spectrum to 0.
+/// A [`Reconstruction`](crate::sensor::Reconstruction) swings below zero beside a line or a narrow LED; this
+/// spectrum is 0 there, at the cost of a search for each reading. The search minimizes `|G s - c|^2 + alpha
+/// g^2 |s|^2`, where s is the spectrum, G s what the sensor would count of it, c the counts, and g the mean
+/// signal of the channels.
+///
+/// `alpha` is [`DEFAULT_ALPHA`](crate::sensor::DEFAULT_ALPHA) or more, as for a reconstruction;
+/// `max_iterations` limits the search. Counts below zero are noise, and no light explains them: they pull the
+/// spectrum to 0.
 ///
 /// ```
 /// use nanospectra::sensor::{DEFAULT_ALPHA, BasicCounts, nonnegative_spectrum, chip::as7341};
@@ -34,9 +36,9 @@ use crate::sum::sum;
 /// Within 8e-7 of the peak of the minimum for lamps, lasers and narrow LEDs at alpha 1e-3 to 0.1.
 ///
 /// # Cost
-/// For each step a least squares of `C` unknowns over the bins that are not 0, and one of all bins at the
-/// end. Lamps and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of which
-/// no light makes, the longest took 34.
+/// Each step is a least squares of `C` unknowns over the bins that are not 0, and there is one of all bins at
+/// the end. Lamps and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of
+/// which no light makes, the longest took 34.
 ///
 /// # Errors
 /// `NotConverged` after `max_iterations` steps: 50 are plenty. `NotFinite` for NaN, infinity or an alpha that
@@ -68,10 +70,10 @@ pub fn nonnegative_spectrum<const C: usize, const N: usize, G: Grid>(
     if largest(light.values()).is_finite() { Ok(light) } else { Err(FitError::NotFinite) }
 }
 
-/// The search in `C` unknowns m instead of `N`: at the minimum the spectrum is max(0, G' m), and m is where
-/// the convex function alpha |m|^2 / 2 + |max(0, G' m)|^2 / 2 - counts . m is least. It is made of parabolas,
-/// one for each set of bright bins: go to the least point of the present one, but not beyond the valley on
-/// the way.
+/// The search, in `C` unknowns m instead of `N`. At the minimum the spectrum is max(0, G' m), and m is where
+/// the convex function alpha |m|^2 / 2 + |max(0, G' m)|^2 / 2 - counts . m is least. The function is made of
+/// parabolas, one for each set of bright bins. Each step goes toward the least point of the present one, but
+/// not beyond the least point on the way.
 struct Search<const C: usize, const N: usize> {
     g: [[f32; N]; C],
     counts: [f32; C],
@@ -88,14 +90,15 @@ impl<const C: usize, const N: usize> Search<C, N> {
             if !largest(&target).is_finite() {
                 return Err(FitError::NotFinite);
             }
-            // Best for the bins that are bright now; and if just these are bright there, best of all.
+            // Best for the bins that are bright now. If the same bins are bright there, it is the best of
+            // all.
             let there = self.spectrum(&target);
             if spectrum.iter().zip(&there).all(|(now, then)| (*now > 0.0) == (*then > 0.0)) {
                 return Ok(self.of_bright(&there));
             }
             match self.step(&m, &target) {
                 Some(step) => m.iter_mut().zip(target).for_each(|(m, target)| *m += step * (target - *m)),
-                // What is left is rounding: bins of 0 that become bright and dark again.
+                // Only rounding is left: bins of 0 that become bright and dark again.
                 None => return Ok(self.of_bright(&spectrum)),
             }
             spectrum = self.spectrum(&m);
@@ -104,7 +107,7 @@ impl<const C: usize, const N: usize> Search<C, N> {
         Err(FitError::NotConverged { iterations })
     }
 
-    /// G' m: the spectrum, before what is negative is cut off.
+    /// Computes G' m, the spectrum before what is negative is cut off.
     fn spectrum(&self, m: &[f32; C]) -> [f32; N] {
         let mut spectrum = [0.0; N];
         for (row, m) in self.g.iter().zip(m) {
@@ -115,8 +118,8 @@ impl<const C: usize, const N: usize> Search<C, N> {
         spectrum
     }
 
-    /// The spectrum that is best if just these bins are bright. From m it would lose digits: where no light
-    /// explains the counts, m is what is left of them over alpha, and its terms cancel.
+    /// Computes the spectrum that is best if just these bins are bright. From m it would lose digits: where
+    /// no light explains the counts, m is what is left of them over alpha, and its terms cancel.
     fn of_bright(&self, spectrum: &[f32; N]) -> [f32; N] {
         let mut bright = self.g;
         for row in &mut bright {
@@ -133,8 +136,8 @@ impl<const C: usize, const N: usize> Search<C, N> {
         light.map(|value| if value > 0.0 { value } else { 0.0 })
     }
 
-    /// The m that is best if just the bins that are bright now are: (alpha + G G') m = counts over these
-    /// bins, as least squares.
+    /// Computes the m that is best if just the bins that are bright now stay bright: (alpha + G G') m =
+    /// counts over these bins, as least squares.
     fn least(&self, spectrum: &[f32; N]) -> [f32; C] {
         let start = self.counts.map(|count| [count / self.root_alpha]);
         let mut triangle = Triangle::<C, 1>::ridge(self.root_alpha, start);
@@ -145,8 +148,9 @@ impl<const C: usize, const N: usize> Search<C, N> {
         m
     }
 
-    /// How far to go from `m` towards `target`, 0 to 1: all the way unless the function rises there; then to
-    /// where it still falls, but at most a twentieth as steeply. `None` if it falls nowhere on the way.
+    /// Computes how far to go from `m` toward `target`, 0 to 1: all the way unless the function rises there;
+    /// then to where it still falls, but at most a twentieth as steeply. `None` if it falls nowhere on the
+    /// way.
     fn step(&self, m: &[f32; C], target: &[f32; C]) -> Option<f32> {
         let mut direction = *target;
         for (to, from) in direction.iter_mut().zip(m) {

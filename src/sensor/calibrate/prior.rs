@@ -1,15 +1,23 @@
-//! What spectra are usually like: how their bins vary together.
+//! How the bins of usual spectra vary together.
 
 use crate::grid::Grid;
 use crate::math::const_for;
 use crate::sensor::calibrate::vector::{largest, sqrt};
 use crate::spectrum::Light;
 
-/// The covariance of the bins of these lights about zero, each light scaled to a mean of 1: the mean of their
-/// products. Their common shape is part of it, so a reconstruction needs no mean spectrum beside it. For
+/// Computes how the bins of these lights vary together, for
 /// [`Reconstruction::wiener`](crate::sensor::Reconstruction::wiener).
 ///
-/// A light whose bins sum to zero or less is left out; without lights all is 0.
+/// It is the covariance about zero, the mean of the products of two bins, with each light scaled to unit
+/// mean. The common shape of the lights is part of it, so that a reconstruction does not need a mean spectrum
+/// beside it. A light whose bins sum to zero or less is left out. Without lights all entries are 0.
+///
+/// ```
+/// # use nanospectra::{Light, Nodes, sensor::covariance_of};
+/// let flat: Light<2, Nodes<450, 650>> = Light::flat(4.0); // is scaled to [1, 1]
+/// let red = Light::from_bins([0.0, 8.0]); // is scaled to [0, 2]
+/// assert_eq!(covariance_of(&[flat, red]), [[0.5, 0.5], [0.5, 2.5]]); // means of the products
+/// ```
 #[must_use]
 pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [[f32; N]; N] {
     let mut products = [[0.0; N]; N];
@@ -44,8 +52,8 @@ pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [
     products
 }
 
-/// L of L L' = `covariance`, by Cholesky's steps with the largest variance that is left first, and not
-/// further than rounding: what six lamps span has six columns.
+/// Computes L of L L' = `covariance` by Cholesky's steps, with the largest variance that is left first. It
+/// ends where only rounding is left, so that what six lamps span has six columns.
 pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]) -> [[f32; N]; N] {
     let (mut left, mut columns) = ([0.0; N], [[0.0; N]; N]);
     let mut largest = 0.0;
@@ -54,7 +62,7 @@ pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]
     while k < N {
         let (mut pivot, mut variance) = (0, 0.0);
         let mut i = 0;
-        // (A NaN is taken and spreads.)
+        // (A NaN is chosen as the pivot and spreads.)
         while i < N && variance >= 0.0 {
             if left[i] > variance || left[i].is_nan() {
                 (pivot, variance) = (i, left[i]);

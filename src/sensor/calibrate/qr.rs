@@ -4,31 +4,32 @@
 use crate::math::const_for;
 use crate::sensor::calibrate::vector::{dot, hypot, less, norm, unit};
 
-/// `C` unknowns and `D` right-hand sides, fed row by row: memory of C (C + D) whatever the number of rows.
+/// A least squares problem of `C` unknowns and `D` right-hand sides that is fed row by row. It takes memory
+/// of C (C + D) whatever the number of rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Triangle<const C: usize, const D: usize> {
     /// Row k of R; zero left of the diagonal, the diagonal not negative.
     r: [[f32; C]; C],
     /// The rows of Q' B that belong to them.
     b: [[f32; D]; C],
-    /// What is left of each right-hand side, whatever the unknowns: the root of its sum of squares.
+    /// What is left of each right-hand side, whatever the unknowns, as the root of its sum of squares.
     rest: [f32; D],
 }
 
 impl<const C: usize, const D: usize> Triangle<C, D> {
-    /// No rows yet.
+    /// Starts without rows.
     pub(super) const fn new() -> Self {
         Triangle { r: [[0.0; C]; C], b: [[0.0; D]; C], rest: [0.0; D] }
     }
 
-    /// The rows `diagonal` times the unit matrix, with the right-hand side `b`.
+    /// Starts with the rows `diagonal` times the unit matrix, and the right-hand side `b`.
     pub(super) const fn ridge(diagonal: f32, b: [[f32; D]; C]) -> Self {
         let mut start = Triangle { r: [[0.0; C]; C], b, rest: [0.0; D] };
         const_for!(0..C, |k| start.r[k][k] = diagonal);
         start
     }
 
-    /// One more equation, `row` times the unknowns = `b`: for each unknown a reflection of two rows that
+    /// Adds one more equation, `row` times the unknowns = `b`. For each unknown a reflection of two rows
     /// makes the new one zero there.
     pub(super) const fn absorb(&mut self, mut row: [f32; C], mut b: [f32; D]) {
         const_for!(0..C, |k| {
@@ -60,7 +61,8 @@ impl<const C: usize, const D: usize> Triangle<C, D> {
         &self.rest
     }
 
-    /// The unknowns for each right-hand side; not finite where R has a zero on its diagonal.
+    /// Computes the unknowns for each right-hand side, which are not finite where R has a zero on its
+    /// diagonal.
     pub(super) const fn solve(&self) -> [[f32; C]; D] {
         let mut x = [[0.0; C]; D];
         const_for!(0..D, |d| {
@@ -71,7 +73,7 @@ impl<const C: usize, const D: usize> Triangle<C, D> {
     }
 }
 
-/// x of R x = b.
+/// Solves R x = b.
 pub(super) const fn back<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) -> [f32; C] {
     let mut left = C;
     while left > 0 {
@@ -82,7 +84,7 @@ pub(super) const fn back<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) -> 
     x
 }
 
-/// x of R' x = b.
+/// Solves R' x = b.
 pub(super) const fn forward<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) -> [f32; C] {
     const_for!(0..C, |k| {
         x[k] /= r[k][k];
@@ -91,16 +93,17 @@ pub(super) const fn forward<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) 
     x
 }
 
-/// A (I d^2 + A' A)^-1 of `N` x `C` numbers, given and returned as columns, and the factor R of [d I; A].
+/// Computes A (I d^2 + A' A)^-1 of `N` x `C` numbers, given and returned as columns, and the factor R of [d
+/// I; A].
 ///
-/// With [d I; A] = [Q2; Q1] R this is Q1 R'^-1: the condition of A and not its square.
+/// With [d I; A] = [Q2; Q1] R this is Q1 R'^-1, which has the condition of A and not its square.
 pub(super) const fn damped_inverse<const C: usize, const N: usize>(
     mut a: [[f32; N]; C],
     d: f32,
 ) -> ([[f32; N]; C], [[f32; C]; C]) {
     let (mut r, mut tau) = ([[0.0; C]; C], [0.0; C]);
     const_for!(0..C, |k| {
-        // The reflection 1 - tau v v' with v = 1 in row k of the upper block, and a[k] / (d + norm) in the
+        // The reflection is 1 - tau v v' with v = 1 in row k of the upper block, and a[k] / (d + norm) in the
         // lower.
         let norm = hypot(d, norm(&a[k]));
         r[k][k] = -norm;
@@ -114,8 +117,8 @@ pub(super) const fn damped_inverse<const C: usize, const N: usize>(
             a[j] = less(a[j], step, &a[k]);
         });
     });
-    // Q1: the reflections, the last first, of the first C columns of the unit matrix. Column j meets those up
-    // to j.
+    // Q1 comes from the reflections, the last one first, of the first C columns of the unit matrix. Column j
+    // meets those up to j.
     let mut q = [[0.0; N]; C];
     const_for!(0..C, |j| {
         q[j] = less(q[j], tau[j], &a[j]);
@@ -126,7 +129,7 @@ pub(super) const fn damped_inverse<const C: usize, const N: usize>(
             q[j] = less(q[j], step, &a[left]);
         }
     });
-    // X R' = Q1, from the last column to the first.
+    // X R' = Q1 is solved from the last column to the first.
     let mut left = C;
     while left > 0 {
         left -= 1;
@@ -136,8 +139,8 @@ pub(super) const fn damped_inverse<const C: usize, const N: usize>(
     (q, r)
 }
 
-/// The largest over the smallest singular value of R, its columns scaled to equal size first; infinite for a
-/// column of zeros. Power iterations: rarely more than a few per cent too small.
+/// Computes the largest over the smallest singular value of R, whose columns are scaled to equal size first.
+/// It is infinite for a column of zeros. Power iterations make it rarely more than a few per cent too small.
 pub(super) const fn condition<const C: usize>(r: &[[f32; C]; C]) -> f32 {
     let mut scaled = *r;
     let mut j = 0;
@@ -151,7 +154,7 @@ pub(super) const fn condition<const C: usize>(r: &[[f32; C]; C]) -> f32 {
         }
         j += 1;
     }
-    // To begin with: one smooth, one alternating, neither symmetric.
+    // Start vectors, one smooth and one alternating, neither of them symmetric.
     let (mut wide, mut narrow) = ([1.0; C], [1.0; C]);
     const_for!(0..C, |j| {
         wide[j] += 0.1 * j as f32;
@@ -159,7 +162,7 @@ pub(super) const fn condition<const C: usize>(r: &[[f32; C]; C]) -> f32 {
     });
     let (mut largest, mut inverse_of_smallest) = (1.0, 1.0);
     const_for!(0..12, |turn| {
-        // (R' R) and its inverse, each in two halves that stay in range.
+        // Multiplies by R' R, and by its inverse, each in two halves that stay in range.
         wide = unit(times(&scaled, wide)).0;
         (wide, largest) = unit(times_transposed(&scaled, wide));
         narrow = unit(forward(&scaled, narrow)).0;

@@ -12,61 +12,75 @@ use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::rows;
 use core::marker::PhantomData;
 
-/// The damping `alpha` to begin with: the variance of the noise over the variance that the channels' signals
-/// would have if every bin varied for itself.
+/// The damping `alpha` to begin with, which weighs the noise of the counts against the signal of a
+/// reconstruction.
 ///
-/// For a sensor like the AS7341 every smaller value gives the same RMS error of reflectances, 0.013, within
-/// 1.4 %, and only amplifies the noise of the counts; in f32, normal equations (which this crate does not
-/// use) fail below 1e-6. A larger one darkens the light: 1e-1 costs 27 % in RMS.
+/// It is the variance of the noise over the variance that the channels' signals would have if every bin
+/// varied for itself. For a sensor like the AS7341 every smaller value gives the same RMS error of
+/// reflectances, 0.013, within 1.4 %, and only amplifies the noise of the counts. In f32, normal equations
+/// (which this crate does not use) fail below 1e-6. A larger value darkens the light: 1e-1 costs 27 % in RMS.
+/// See the [example](Reconstruction#example) of [`Reconstruction`].
 pub const DEFAULT_ALPHA: f32 = 1e-2;
 
-/// A matrix from the counts of `C` channels to `N` bins of light, power per nm: `N` times `C` numbers.
+/// A matrix that turns the counts of `C` channels into the likeliest spectrum of `N` bins, power per nm.
 ///
-/// Eight channels do not tell 31 bins; what is missing comes from what spectra are usually like: smooth
-/// ([`smooth`](Self::smooth)), or like a set of lamps ([`wiener`](Self::wiener) with
-/// [`covariance_of`](crate::sensor::covariance_of)). If only color is asked for, let an eye look at it while
-/// compiling ([`seen_by`](Self::seen_by)). All of it supposes that the responsivities are those of the very
-/// chip; if they are not known, measure patches and use [`Fit`](crate::sensor::Fit).
+/// Start with [`smooth`](Self::smooth). If only color is wanted, let an eye look at the spectrum while
+/// compiling ([`seen_by`](Self::seen_by)), which makes a [`Calibration`]; otherwise call
+/// [`spectrum`](Self::spectrum) with each reading.
+///
+/// Eight channels cannot tell 31 bins. What is missing comes from what spectra are usually like: smooth, or
+/// like a set of lamps ([`wiener`](Self::wiener) with [`covariance_of`](crate::sensor::covariance_of)). The
+/// responsivities must be those of the very chip; if they are not known, measure patches and use
+/// [`Fit`](crate::sensor::Fit).
+///
+/// # Example
 ///
 /// ```
-/// use nanospectra::sensor::{DEFAULT_ALPHA, Calibration, Reconstruction, chip::as7341};
-/// use nanospectra::{Curve, Light, Nodes, Observer, Power, sensor::BasicCounts};
+/// use nanospectra::observer::CIE_1931;
+/// use nanospectra::sensor::{BasicCounts, Calibration, DEFAULT_ALPHA, Reconstruction, chip::as7341};
+/// use nanospectra::{Curve, Light, Nodes, Observer, Power};
 ///
 /// type Grid = Nodes<400, 700>;
 /// static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
+/// static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 /// let reconstruction = Reconstruction::smooth(&CHIP, 0.95, DEFAULT_ALPHA)?;
 /// // A flat light of 2 W/nm comes back within 5 % in the middle.
 /// let counts = BasicCounts::new(CHIP.sees(&Light::flat(2.0)));
 /// assert!((reconstruction.spectrum(&counts).values()[15] - 2.0).abs() < 0.1);
+/// // For its color alone, 24 numbers are enough: x and y of equal energy are 1/3.
+/// let to_xyz: Calibration<8> = reconstruction.seen_by(&EYE);
+/// let [x, y, z] = to_xyz.apply(&counts);
+/// assert!((x / (x + y + z) - 1.0 / 3.0).abs() < 0.01 && (y / (x + y + z) - 1.0 / 3.0).abs() < 0.01);
 /// # Ok::<(), nanospectra::sensor::FitError>(())
 /// ```
 ///
 /// # Accuracy
 /// The matrix is within 1.2e-6 of its largest entry for channels like the AS7341's at every alpha from 1e-6
-/// to 0.1, 6e-6 for channels 80 nm wide and 6e-5 for 120 nm: a QR factor of the damped sensor, not its normal
-/// equations, which fail there in f32. Seen by an eye, an AS7341 with *known* responsivities measures the
-/// lamps of CIE 15 within 0.9 % in illuminance and 1.8 % in CCT in the mean, 3.4 and 7 % at worst
-/// (`tests/sensor/as7341.rs`).
+/// to 0.1, 6e-6 for channels 80 nm wide and 6e-5 for 120 nm. It comes from a QR factor of the damped sensor,
+/// and not from its normal equations, which fail there in f32. Seen by an eye, an AS7341 with *known*
+/// responsivities measures the lamps of CIE 15 within 0.9 % in illuminance and 1.8 % in CCT in the mean, 3.4
+/// and 7 % at worst (`tests/sensor/as7341.rs`).
 ///
 /// # Cost
-/// For `const` use, though it may run on a device (4.8 KB of code): 8 channels on 31 bins take 17 thousand
-/// steps of evaluation, on 471 bins 160 thousand (rustc's limit is two million), 30 and 240 ms of compile
-/// time.
+/// It is made for `const`, though it may run on a device (4.8 KB of code). 8 channels on 31 bins take 17
+/// thousand steps of evaluation and 30 ms of compile time, on 471 bins 160 thousand and 240 ms. (Rustc's
+/// limit is two million steps.)
 pub struct Reconstruction<const C: usize, const N: usize, G>([[f32; C]; N], PhantomData<G>);
 
 by_fields!([const C: usize, const N: usize, G] Reconstruction<C, N, G>, "Reconstruction": 0);
 
 impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
-    /// For smooth spectra: bins `i` and `j` are expected to be correlated by `correlation`^|i - j|.
+    /// Reconstructs smooth spectra: bins `i` and `j` are expected to be correlated by `correlation`^|i - j|.
+    /// See the [example](#example).
     ///
     /// `correlation` is 0 to 1: 0.95 for bins of 10 nm, 0.975 for 5 nm; 0 says nothing about neighbors
-    /// ([`tikhonov`](Self::tikhonov)). `alpha` is the variance of the noise over that of the signals of
-    /// bins that vary apart, [`DEFAULT_ALPHA`] or so.
+    /// ([`tikhonov`](Self::tikhonov)). `alpha` is the variance of the noise over that of the signals of bins
+    /// that vary apart, [`DEFAULT_ALPHA`] or so.
     ///
     /// # Errors
-    /// `IllConditioned` if `alpha` is so small that channels which see alike cannot be told apart, or no
-    /// channel sees anything; `NotFinite` if `alpha` is negative, `correlation` beyond 1, or a weight not
-    /// finite.
+    /// `IllConditioned` if `alpha` is so small that channels which see alike cannot be told apart, or if no
+    /// channel sees anything; `NotFinite` if `alpha` is negative, `correlation` is beyond 1, or a weight is
+    /// not finite.
     pub const fn smooth(
         sensor: &Observer<C, N, Power, G>,
         correlation: f32,
@@ -94,8 +108,52 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         Self::scaled(&x, scale)
     }
 
-    /// The smallest spectrum that explains the counts, nothing supposed about neighbors: bins that no channel
-    /// sees become 0. For narrow lines; for lamps and surfaces [`smooth`](Self::smooth) is better.
+    /// Computes the calibration that gives what an eye sees of the reconstructed spectrum. See the
+    /// [example](#example).
+    ///
+    /// It has `D` x `C` numbers, 96 bytes for XYZ from eight channels. In a `static` the reconstruction
+    /// itself is not in the program.
+    #[must_use]
+    pub const fn seen_by<const D: usize>(&self, eye: &Observer<D, N, Power, G>) -> Calibration<C, D> {
+        let mut matrix = [[0.0; C]; D];
+        const_for!(0..D, |d| {
+            const_for!(0..N, |n| {
+                const_for!(0..C, |c| matrix[d][c] += eye.weights()[d][n] * self.0[n][c]);
+            });
+        });
+        Calibration::from_rows(matrix)
+    }
+
+    /// Computes the likeliest spectrum for these counts, power per nm in the unit of the sensor's
+    /// responsivities. See the [example](#example).
+    ///
+    /// It may be negative in places, which [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is
+    /// not.
+    ///
+    /// # Accuracy
+    /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
+    #[must_use]
+    #[inline]
+    pub fn spectrum(&self, basic: &BasicCounts<C>) -> Light<N, G> {
+        Spectrum::from_bins(rows(&self.0, basic.values()))
+    }
+
+    /// Reconstructs the smallest spectrum that explains the counts, and supposes nothing about neighbors.
+    ///
+    /// Bins that no channel sees become 0. Use it for narrow lines; for lamps and surfaces
+    /// [`smooth`](Self::smooth) is better.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{BasicCounts, DEFAULT_ALPHA, Reconstruction};
+    /// # use nanospectra::{Nodes, Observer, Power};
+    /// // Two bins of 100 nm, and a channel that sees each of them.
+    /// let rows = [[100.0, 0.0], [0.0, 100.0]];
+    /// let chip: Observer<2, 2, Power, Nodes<450, 550>> = Observer::from_weights(rows);
+    /// let reconstruction = Reconstruction::tikhonov(&chip, DEFAULT_ALPHA)?;
+    /// let light = reconstruction.spectrum(&BasicCounts::new([101.0, 202.0]));
+    /// assert!((light.values()[1] - 2.0).abs() < 1e-3); // 202 / 100, less the damping of 1 %
+    /// # Ok::<(), nanospectra::sensor::FitError>(())
+    /// ```
     ///
     /// # Errors
     /// As [`smooth`](Self::smooth).
@@ -103,9 +161,10 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         Self::smooth(sensor, 0.0, alpha)
     }
 
-    /// For spectra whose bins vary together as `covariance` says (symmetric):
-    /// [`covariance_of`](crate::sensor::covariance_of) lamps, or anything computed; what it says to be a
-    /// negative variance counts as none.
+    /// Reconstructs spectra whose bins vary together as `covariance` says.
+    ///
+    /// `covariance` is symmetric: that of lamps by [`covariance_of`](crate::sensor::covariance_of), or
+    /// anything computed. A variance that it says to be negative counts as none.
     ///
     /// # Errors
     /// As [`smooth`](Self::smooth).
@@ -119,7 +178,7 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         alpha: f32,
     ) -> Result<Self, FitError> {
         let columns = semidefinite_root(covariance);
-        // L' G'
+        // The channels times the root of the covariance: L' G'.
         let mut a = [[0.0; N]; C];
         const_for!(0..C, |c| {
             const_for!(0..N, |j| a[c][j] = dot(&columns[j], &sensor.weights()[c]));
@@ -137,6 +196,12 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         Self::scaled(&spectra, scale)
     }
 
+    /// Returns the rows of the matrix, where row `n` says how much of each channel goes into bin `n`.
+    #[must_use]
+    pub const fn rows(&self) -> &[[f32; C]; N] {
+        &self.0
+    }
+
     const fn scaled(columns: &[[f32; N]; C], scale: f32) -> Result<Self, FitError> {
         let mut matrix = [[0.0; C]; N];
         let mut n = 0;
@@ -149,40 +214,10 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         }
         Ok(Reconstruction(matrix, PhantomData))
     }
-
-    /// The rows: how much of each channel goes into bin `n`.
-    #[must_use]
-    pub const fn rows(&self) -> &[[f32; C]; N] {
-        &self.0
-    }
-
-    /// The likeliest spectrum for these counts, power per nm in the unit of the sensor's responsivities. It
-    /// may be negative in places: [`nonnegative_spectrum`](crate::sensor::nonnegative_spectrum) is not.
-    ///
-    /// # Accuracy
-    /// `C` units of 2^-24 of the sum of the terms' sizes at worst, and the same bits on every target.
-    #[must_use]
-    #[inline]
-    pub fn spectrum(&self, basic: &BasicCounts<C>) -> Light<N, G> {
-        Spectrum::from_bins(rows(&self.0, basic.values()))
-    }
-
-    /// Counts to spectrum to what an eye sees of it, folded: `D` x `C` numbers, 96 bytes for XYZ from eight
-    /// channels. In a `static` the reconstruction itself is not in the program.
-    #[must_use]
-    pub const fn seen_by<const D: usize>(&self, eye: &Observer<D, N, Power, G>) -> Calibration<C, D> {
-        let mut matrix = [[0.0; C]; D];
-        const_for!(0..D, |d| {
-            const_for!(0..N, |n| {
-                const_for!(0..C, |c| matrix[d][c] += eye.weights()[d][n] * self.0[n][c]);
-            });
-        });
-        Calibration::from_rows(matrix)
-    }
 }
 
-/// The variance of signals if all bins varied apart, over the variance they have: both are mean squares of
-/// rows.
+/// The variance that signals would have if all bins varied apart, over the variance that they have. Both are
+/// mean squares of rows.
 const fn share<const C: usize, const N: usize>(
     apart: &[[f32; N]; C],
     together: &[[f32; N]; C],
@@ -194,12 +229,12 @@ const fn share<const C: usize, const N: usize>(
         below[c] = norm(&together[c]);
     });
     let (above, below) = (norm(&above), norm(&below));
-    // A blind sensor has neither; what it is asked is refused elsewhere.
+    // A blind sensor has neither; what it is asked for is refused elsewhere.
     if below > 0.0 { (above / below) * (above / below) * variance } else { 1.0 }
 }
 
-/// A (A' A + alpha s^2)^-1 where s^2 is the mean square of A's columns, times the scale that is returned
-/// beside.
+/// Computes A (A' A + alpha s^2)^-1 where s^2 is the mean square of A's columns, times the scale that is
+/// returned beside it.
 const fn solved<const C: usize, const N: usize>(
     mut a: [[f32; N]; C],
     alpha: f32,

@@ -7,12 +7,14 @@ use crate::spectrum::Power;
 use ResponsivityErrorKind as Kind;
 use core::fmt;
 
-/// Reads a sensor's responsivities from CSV text, as of [`include_str!`], while compiling, so that
-/// the program has the weights and not the text, and a wrong table does not build.
+/// Reads a sensor's responsivities while compiling, from CSV text that [`include_str!`] takes from a file.
 ///
-/// One row for each node of the grid `G`, in order and complete: the wavelength in nm, then `C` columns,
-/// separated by commas, semicolons or tabs. The first line may be a heading. Blank lines and lines that begin
-/// with `#` do not count. On a grid wider than 1 nm the numbers are averages over the bins.
+/// The program then has the weights and not the text, and a wrong table does not build. There is one row for
+/// each node of the grid `G`, in order and complete: the wavelength in nm, then `C` columns, separated by
+/// commas, semicolons or tabs. The first line may be a heading. Blank lines and lines that begin with `#` do
+/// not count. On a grid wider than 1 nm the numbers are averages over the bins.
+///
+/// # Example
 ///
 /// ```
 /// use nanospectra::{Nodes, Observer, Power, sensor::responsivities};
@@ -21,14 +23,6 @@ use core::fmt;
 /// // const CSV: &str = include_str!("my_chip.csv");
 /// static CHIP: Observer<2, 3, Power, Nodes<400, 600>> = responsivities(CSV);
 /// assert_eq!(CHIP.weights()[1], [1.0, 10.0, 75.0]); // times the 100 nm of a bin
-/// ```
-///
-/// A table that is wrong ends the build and says where: "line 7: a column is missing".
-///
-/// ```compile_fail
-/// # use nanospectra::{Nodes, Observer, Power, sensor::responsivities};
-/// static CHIP: Observer<2, 3, Power, Nodes<400, 600>> = responsivities("400,0.5,0.01\n500,0.25\n600,0,0.75\n");
-/// # fn main() { assert_eq!(CHIP.weights()[1][0], 1.0) }
 /// ```
 ///
 /// # Accuracy
@@ -40,7 +34,15 @@ use core::fmt;
 /// one static.
 ///
 /// # Panics
-/// When the table is wrong; for `const` use. At run time: [`read_responsivities`].
+/// When the table is wrong, so use it in a `const` or a `static`, where a wrong table ends the build and says
+/// where: "line 7: a column is missing". At run time use [`read_responsivities`].
+///
+/// ```compile_fail
+/// # use nanospectra::{Nodes, Observer, Power, sensor::responsivities};
+/// static CHIP: Observer<2, 3, Power, Nodes<400, 600>> =
+///     responsivities("400,0.5,0.01\n500,0.25\n600,0,0.75\n"); // line 2: a column is missing
+/// # fn main() { assert_eq!(CHIP.weights()[1][0], 1.0) }
+/// ```
 #[must_use]
 pub const fn responsivities<const C: usize, const N: usize, G: Grid>(csv: &str) -> Observer<C, N, Power, G> {
     match read_responsivities(csv) {
@@ -49,16 +51,27 @@ pub const fn responsivities<const C: usize, const N: usize, G: Grid>(csv: &str) 
     }
 }
 
-/// Reads responsivities from CSV text that is known only at run time.
+/// Reads responsivities from CSV text that is known only at run time, in the format of [`responsivities`].
+///
+/// ```
+/// # use nanospectra::sensor::{ResponsivityErrorKind, read_responsivities};
+/// # use nanospectra::{Nodes, Observer, Power};
+/// type Chip = Observer<2, 2, Power, Nodes<400, 500>>;
+/// let chip: Chip = read_responsivities("nm;blue;red\n400;0.5;0.01\n500;0.25;0.1")?;
+/// assert_eq!(chip.weights()[0], [50.0, 25.0]); // times the 100 nm of a bin
+/// let error = read_responsivities::<2, 2, Nodes<400, 500>>("400,0.5,0.01\n500,0.25\n").unwrap_err();
+/// assert_eq!((error.line, error.kind), (2, ResponsivityErrorKind::MissingColumn));
+/// # Ok::<(), nanospectra::sensor::ResponsivityError>(())
+/// ```
 ///
 /// # Errors
-/// The line, counted from 1, and what is wrong with it.
+/// [`ResponsivityError`], with the line, counted from 1, and what is wrong with it.
 pub const fn read_responsivities<const C: usize, const N: usize, G: Grid>(
     csv: &str,
 ) -> Result<Observer<C, N, Power, G>, ResponsivityError> {
     let mut rows = [[0.0; N]; C];
     let mut text = Text { bytes: csv.as_bytes(), at: 0, line: 1 };
-    // A byte order mark.
+    // A byte order mark is skipped.
     if let [0xef, 0xbb, 0xbf, ..] = text.bytes {
         text.at = 3;
     }
@@ -76,7 +89,7 @@ pub const fn read_responsivities<const C: usize, const N: usize, G: Grid>(
         }
         let center = Layout::<G, N>::center(n);
         match nm {
-            // Nodes that are no whole nanometers are rounded.
+            // Nodes that are no whole nanometers are rounded in the text.
             Ok(nm) if (nm - center).abs() <= 4.0 * f32::EPSILON * center => {}
             Ok(_) => return Err(text.error(Kind::AnotherWavelength)),
             Err(kind) => return Err(text.error(kind)),
@@ -104,7 +117,7 @@ pub const fn read_responsivities<const C: usize, const N: usize, G: Grid>(
     Ok(Observer::from_rows(rows))
 }
 
-/// A text and how far it is read.
+/// A text, and how far it has been read.
 struct Text<'a> {
     bytes: &'a [u8],
     at: usize,
@@ -116,12 +129,12 @@ impl Text<'_> {
         ResponsivityError { line: self.line, kind }
     }
 
-    /// What is there, 0 at the end.
+    /// Returns the byte that is there, 0 at the end.
     const fn byte(&self) -> u8 {
         if self.at < self.bytes.len() { self.bytes[self.at] } else { 0 }
     }
 
-    /// To the start of a row that counts; false at the end.
+    /// Goes to the start of the next row that counts; false at the end.
     const fn next_row(&mut self) -> bool {
         while self.at < self.bytes.len() {
             self.skip_blanks();
@@ -151,7 +164,7 @@ impl Text<'_> {
         }
     }
 
-    /// Past a separator; false at the end of the row.
+    /// Goes past a separator; false at the end of the row.
     const fn separator(&mut self) -> bool {
         let found = matches!(self.byte(), b',' | b';' | b'\t');
         if found {
@@ -160,7 +173,7 @@ impl Text<'_> {
         found
     }
 
-    /// The number up to the next separator.
+    /// Reads the number up to the next separator.
     const fn cell(&mut self) -> Result<f32, ResponsivityErrorKind> {
         self.skip_blanks();
         let (number, end) = decimal(self.bytes, self.at);
@@ -176,21 +189,25 @@ impl Text<'_> {
 }
 
 /// What is wrong with a table of responsivities, and where.
+///
+/// [`read_responsivities`] returns it, with an [example](read_responsivities).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ResponsivityError {
-    /// The line, counted from 1 with comments and blank lines.
+    /// The number of the line, which counts from 1 with comments and blank lines.
     pub line: u32,
-    /// What is wrong there.
+    /// What is wrong with this line.
     pub kind: ResponsivityErrorKind,
 }
 
-/// What is wrong with a line of a table of responsivities.
+/// What can be wrong with a line of a table of responsivities.
+///
+/// See the [example](read_responsivities) of [`read_responsivities`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ResponsivityErrorKind {
-    /// A cell is no number with a decimal point.
+    /// A cell is not a number with a decimal point.
     NoNumber,
     /// A number is beyond the range of f32.
     TooLarge,

@@ -5,14 +5,14 @@ use crate::math::const_for;
 
 pub(super) use crate::math::sqrt_by_digits as sqrt;
 
-/// To length 1, and the length it had.
+/// Scales a vector to length 1, and returns the length it had.
 pub(super) const fn unit<const C: usize>(mut x: [f32; C]) -> ([f32; C], f32) {
     let norm = norm(&x);
     const_for!(0..C, |k| x[k] /= norm);
     (x, norm)
 }
 
-/// a - factor b.
+/// Computes a - factor b.
 pub(super) const fn less<const N: usize>(mut a: [f32; N], factor: f32, b: &[f32; N]) -> [f32; N] {
     const_for!(0..N, |n| a[n] -= factor * b[n]);
     a
@@ -24,7 +24,7 @@ pub(super) const fn dot<const N: usize>(a: &[f32; N], b: &[f32; N]) -> f32 {
     sum
 }
 
-/// The largest size; NaN if there is one.
+/// Returns the largest size, or NaN if there is one.
 pub(super) const fn largest<const N: usize>(a: &[f32; N]) -> f32 {
     let (mut largest, mut n) = (0.0, 0);
     while n < N {
@@ -40,7 +40,7 @@ pub(super) const fn largest<const N: usize>(a: &[f32; N]) -> f32 {
     largest
 }
 
-/// The root of the sum of squares, without overflow or underflow.
+/// Computes the root of the sum of squares, without overflow or underflow.
 pub(super) const fn norm<const N: usize>(a: &[f32; N]) -> f32 {
     let largest = largest(a);
     if largest == 0.0 {
@@ -54,7 +54,7 @@ pub(super) const fn norm<const N: usize>(a: &[f32; N]) -> f32 {
     largest * sqrt(sum)
 }
 
-/// The same of two.
+/// Computes the same of two numbers.
 pub(super) const fn hypot(a: f32, b: f32) -> f32 {
     norm(&[a, b])
 }

@@ -1,5 +1,20 @@
-//! AS7265x of ams OSRAM: 18 bands from the ultraviolet to the near infrared on three dies, calibrated by the
-//! chip.
+//! Describes the AS7265x of ams OSRAM, which has 18 bands from the ultraviolet to the near infrared on three
+//! dies.
+//!
+//! The chip calibrates itself. Gains and integration times are those of the
+//! [AS7262](crate::sensor::chip::as7262).
+//!
+//! # Example
+//!
+//! ```
+//! use nanospectra::sensor::chip::as7265x;
+//!
+//! let exposure = as7265x::exposure(16.0, 18); // gain 16, 18 cycles of 2.8 ms
+//! assert!((exposure.time_ms() - 50.4).abs() < 1e-4);
+//! // The last band peaks at 940 nm and is half as sensitive at 950 nm.
+//! assert_eq!(as7265x::CHANNELS[17], "940");
+//! assert!((as7265x::NOMINAL.weights()[17][950 - 300] - 0.5).abs() < 1e-6);
+//! ```
 
 use crate::grid::Nodes;
 use crate::observer::Observer;
@@ -8,14 +23,19 @@ use crate::sensor::chip::{Chip, Nominal, as7262, of_width};
 use crate::sensor::gaussian_responsivities;
 use crate::spectrum::Power;
 
-/// The peaks in nm: by wavelength, which is not the order in which the three dies are read.
+/// The channels, named after their peaks in nm and sorted by wavelength, which is not the order in which the
+/// three dies are read.
+///
+/// See the module's [example](self#example).
 pub static CHANNELS: [&str; 18] = [
     "410", "435", "460", "485", "510", "535", "560", "585", "610", "645", "680", "705", "730", "760", "810",
     "860", "900", "940",
 ];
 
-/// 18 bands of 20 nm from 410 to 940 nm, in the order of [`CHANNELS`], as Gaussians;
-/// [not your chip's own](crate::sensor::chip#nominal-responsivities).
+/// The nominal responsivities of the [`CHANNELS`], which are Gaussians 20 nm wide that peak at 410 to 940 nm.
+///
+/// They are [not your chip's own](crate::sensor::chip#nominal-responsivities). See the module's
+/// [example](self#example).
 pub static NOMINAL: Observer<18, 701, Power, Nodes<300, 1000>> = gaussian_responsivities(of_width(
     20.0,
     [
@@ -24,7 +44,8 @@ pub static NOMINAL: Observer<18, 701, Power, Nodes<300, 1000>> = gaussian_respon
     ],
 ));
 
-/// All facts of this module as data; what is set is as on the AS7262.
+/// All facts of this module as a [`Chip`], for programs that let their users choose one; settings are those
+/// of the AS7262.
 pub static CHIP: Chip = Chip {
     name: "AS7265x",
     summary: "18 bands of 20 nm, called by their peaks",

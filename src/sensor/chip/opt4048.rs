@@ -1,19 +1,40 @@
-//! OPT4048 of Texas Instruments: channels near X, Y and Z, with a range that adapts to the light.
+//! Describes the OPT4048 of Texas Instruments, whose three color channels are near X, Y and Z and whose range
+//! adapts to the light.
+//!
+//! # Example
+//!
+//! ```
+//! use nanospectra::color::Cct;
+//! use nanospectra::sensor::chip::opt4048;
+//!
+//! // Mantissa and exponent of each channel; codes that daylight D65 gives by the maker's matrix.
+//! let codes = [(60_934, 2), (135_087, 2), (42_477, 2)].map(|(m, e)| opt4048::code(m, e));
+//! let basic = opt4048::exposure().basic_counts(&codes)?;
+//! let [lux] = opt4048::TO_LUX.apply(&basic);
+//! assert!((lux - 1161.7).abs() < 0.1); // 4 * 135 087 * 2.15e-3
+//! let Some(Cct::Near { cct_k, .. }) = opt4048::TO_XYZ.xyz(&basic)?.cct() else { return Ok(()) };
+//! assert!((cct_k - 6503.0).abs() < 5.0);
+//! # Ok::<(), nanospectra::sensor::ReadingError>(())
+//! ```
 
 use crate::sensor::chip::{Chip, rows};
 use crate::sensor::{Calibration, Exposure};
 
-/// The exposure of every reading: [codes](code) do not depend on range and conversion time, so that basic
-/// counts are the codes themselves.
+/// Returns the exposure of every reading, which makes the basic counts of the [codes](code) the codes
+/// themselves.
+///
+/// Codes do not depend on range and conversion time, so that there is nothing to set. See the module's
+/// [example](self#example).
 #[must_use]
 pub const fn exposure() -> Exposure {
     Exposure::new(1.0, 1.0, LARGEST)
 }
 
-/// The largest code.
+/// The largest code, at the largest mantissa and exponent.
 const LARGEST: u32 = 0x000f_ffff << 8;
 
-/// The code of a channel: 20 bits of mantissa, shifted left by 4 bits of exponent (at most 8 in use).
+/// Computes the code of a channel from 20 bits of mantissa, which are shifted left by 4 bits of exponent (at
+/// most 8 in use).
 ///
 /// ```
 /// # use nanospectra::sensor::chip::opt4048;
@@ -27,10 +48,14 @@ pub const fn code(mantissa: u32, exponent: u8) -> u32 {
     (mantissa & 0x000f_ffff) << if exponent < 12 { exponent } else { 12 }
 }
 
-/// Channels 0, 1 and 2, as the registers have them: near X, Y and Z. (The fourth is wide.)
+/// The names of channels 0, 1 and 2, which are near X, Y and Z and stand in the order of the registers. (The
+/// fourth channel is wide.)
 pub static CHANNELS: [&str; 3] = ["ch0", "ch1", "ch2"];
 
-/// TI's matrix: X, Y and Z on a scale of their own, from the codes of [`CHANNELS`].
+/// The matrix of Texas Instruments that turns the codes of [`CHANNELS`] into X, Y and Z on a scale of their
+/// own.
+///
+/// See the module's [example](self#example).
 ///
 /// # Reference
 /// The data sheet's coefficients as Adafruit's driver for this chip has them.
@@ -40,10 +65,15 @@ pub static TO_XYZ: Calibration<3> = Calibration::from_rows([
     [1.208_116_84e-5, -1.588_481_15e-5, 6.740_215_20e-4],
 ]);
 
-/// Illuminance in lux from the same codes; same source.
+/// The row that turns the same codes into illuminance in lux.
+///
+/// See the module's [example](self#example).
+///
+/// # Reference
+/// As that of [`TO_XYZ`].
 pub static TO_LUX: Calibration<3, 1> = Calibration::from_rows([[0.0, 2.15e-3, 0.0]]);
 
-/// All facts of this module as data.
+/// All facts of this module as a [`Chip`], for programs that let their users choose one.
 pub static CHIP: Chip = Chip {
     name: "OPT4048",
     summary: "near X, Y and Z; codes: mantissa shifted left by the exponent",

@@ -1,4 +1,20 @@
-//! TCS3472 of ams OSRAM (TCS34721, TCS34725): red, green, blue and clear.
+//! Describes the TCS3472 of ams OSRAM (TCS34721, TCS34725), which has a red, a green, a blue and a clear
+//! channel.
+//!
+//! # Example
+//!
+//! ```
+//! use nanospectra::sensor::chip::tcs3472;
+//!
+//! let exposure = tcs3472::exposure(4.0, 0xf6); // gain 4, 10 cycles of 2.4 ms
+//! let [clear, red, green, blue] = [3000_u16, 960, 1200, 700]; // in the order of the registers
+//! let basic = exposure.basic_counts(&[red, green, blue, clear])?; // in the order of `CHANNELS`
+//! assert!((basic.values()[0] - 10.0).abs() < 1e-5); // 960 / (4 * 24)
+//! assert_eq!(tcs3472::CHANNELS[0], "red");
+//! let (gain, atime) = tcs3472::LADDER_SETTINGS[3];
+//! assert_eq!(tcs3472::LADDER[3], tcs3472::exposure(gain, atime));
+//! # Ok::<(), nanospectra::sensor::ReadingError>(())
+//! ```
 //!
 //! # Reference
 //! ams DN40, "Lux and CCT calculations using ams color sensors".
@@ -6,9 +22,11 @@
 use crate::sensor::Exposure;
 use crate::sensor::chip::{Chip, Setting};
 
-/// The exposure of these settings: the gain (one of [`GAINS`]) and the register ATIME. Each of 256 - ATIME
-/// cycles lasts 2.4 ms and fills 1024 counts. Shorter than 150 ms a light on mains may saturate the cell in
-/// its crests while the average does not show it (ripple): only 75 % of the full scale are trusted there.
+/// Returns the exposure that belongs to a gain (one of [`GAINS`]) and the register ATIME.
+///
+/// Each of 256 - ATIME cycles lasts 2.4 ms and fills 1024 counts. Below 150 ms a light on mains may saturate
+/// the cell in its crests while the average does not show it (ripple), so that only 75 % of the full scale
+/// are trusted there.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::tcs3472;
@@ -25,20 +43,24 @@ pub const fn exposure(gain: f32, atime: u8) -> Exposure {
     Exposure::new(gain, cycles as f32 * 2.4, if ripples { counts - counts / 4 } else { counts })
 }
 
-/// The gains of register AGAIN, 0 to 3.
+/// The gains that can be set, as factors, in the order of the codes 0 to 3 of register AGAIN.
 pub static GAINS: [f32; 4] = [1.0, 4.0, 16.0, 60.0];
 
-/// Red, green, blue, clear. The registers begin with clear.
+/// The names of the channels red, green, blue and clear, where the registers begin with clear.
+///
+/// See the module's [example](self#example).
 pub static CHANNELS: [&str; 4] = ["red", "green", "blue", "clear"];
 
 ladder! {
-    /// Every gain at 50 ms, which averages mains of 50 and of 60 Hz, 2 and 14 ms below that for glaring
-    /// light, 200 and 614 ms above it.
+    /// Exposures from the least to the most sensitive, which take every gain at 50 ms.
+    ///
+    /// A time of 50 ms averages mains of 50 and of 60 Hz. For glaring light there are 2 and 14 ms below that,
+    /// for dim light 200 and 614 ms above it. See the module's [example](self#example).
     [(f32, u8); 8]:
     (1.0, 255), (1.0, 250), (1.0, 235), (4.0, 235), (16.0, 235), (60.0, 235), (60.0, 172), (60.0, 0),
 }
 
-/// All facts of this module as data.
+/// All facts of this module as a [`Chip`], for programs that let their users choose one.
 pub static CHIP: Chip = Chip {
     name: "TCS3472",
     summary: "red, green, blue and clear",

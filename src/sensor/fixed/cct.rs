@@ -1,61 +1,82 @@
 //! Correlated color temperature in integers.
 //!
-//! A point between the normals of two knots of the locus divides the way between them, d0 : -d1, nearly as it
-//! divides the locus; what is missing is a parabola that depends on the distance. So one division and a dozen
-//! products replace the Newton step of the floats, at 0.1 mired.
+//! A point between the normals of two knots of the locus has distances d0 and d1 to them along their
+//! tangents. The ratio d0 : -d1 is nearly that in which the point divides the locus between the knots. What
+//! is missing is a parabola that depends on the distance from the locus. So one division and a dozen products
+//! replace the Newton step of the floats, at 0.1 mired.
 
 include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
 
-/// Segments of the table.
+/// The number of segments of the table.
 const SEGMENTS: usize = FIXED_LOCUS.len() - 1;
-/// 0.05 in units of 2^-20, with room for what the formula is off; and where a point is surely off the locus,
-/// in units of 2^-18.
+/// A Duv of 0.05 in units of 2^-20, with room for the error of the formula; and a distance at which a point
+/// is surely off the locus, in units of 2^-18.
 const MAX_DUV: i32 = 52_429 + 32;
 const FAR: i32 = 16_384;
-/// What a sign seen from afar may be wrong by, in units of 2^-30.
+/// By how much the sign of a coarse distance may be wrong, in units of 2^-30.
 const SLACK: i32 = 16 << 14;
-/// 1 mired and 1000 mired in 4096ths, with 1/100 of a mired as room for rounding at the cold end and 1/20 at
-/// the hot.
+/// 1 mired and 1000 mired in 4096ths, with room for rounding: 1/100 of a mired at the cold end, 1/20 at the
+/// hot.
 const HOTTEST: u32 = 4096 - 205;
 const COLDEST: u32 = 4_096_000 + 41;
 
-/// [`Cct`](crate::color::Cct) in integers.
+/// A color temperature and Duv in integers, or the reason why a color has none.
+///
+/// It says what [`Cct`](crate::color::Cct) says in floats.
+///
+/// [`FixedXyz::cct`](crate::sensor::fixed::FixedXyz::cct) returns it.
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::sensor::fixed::{FixedCct, FixedXyz};
+///
+/// // CIE illuminant A, X = 109.85, Y = 100, Z = 35.585, in units of 2^-20: 2856 K, on the locus.
+/// let a = FixedXyz::new([109.85, 100.0, 35.585].map(|value: f32| (value * 1048576.0) as i32), 20);
+/// let Some(FixedCct::Near { cct_k, mired_e3, duv_e6 }) = a.cct() else { return };
+/// assert!((2855..=2857).contains(&cct_k) && (350_000..350_400).contains(&mired_e3) && duv_e6.abs() < 60);
+/// // A saturated green has no color temperature.
+/// assert_eq!(FixedXyz::new([20 << 20, 100 << 20, 5 << 20], 20).cct(), Some(FixedCct::OffLocus));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum FixedCct {
-    /// A color near the locus.
+    /// The color is near the locus of black bodies and has a color temperature. See the [example](#example).
     Near {
-        /// Temperature of the nearest black body, to the nearest K, 1000..=1 000 000 (and 5 % more, for
-        /// rounding).
+        /// The temperature of the nearest black body, rounded to whole K. It lies within 1000..=1 000 000
+        /// (and 5 % more, for rounding).
         cct_k: u32,
-        /// Its reciprocal in thousandths of a mired, which keeps what whole kelvins lose at the cold end.
+        /// The reciprocal of the temperature in thousandths of a mired, which keeps what whole kelvins lose
+        /// at the cold end.
         mired_e3: u32,
-        /// Distance from the locus in the CIE 1960 plane in millionths, above it (greenish) positive.
+        /// The distance from the locus in the CIE 1960 plane in millionths, which is positive above it
+        /// (greenish).
         duv_e6: i32,
     },
-    /// Further than 0.05 from the locus: not a white, it has no color temperature.
+    /// The color is further than 0.05 from the locus, so that it is not a white and has no color temperature.
+    /// See the [example](#example).
     OffLocus,
-    /// Redder than a black body of 1000 K.
+    /// The color is redder than a black body of 1000 K.
     TooCold,
-    /// Bluer than a black body of a million K.
+    /// The color is bluer than a black body of a million K.
     TooHot,
 }
 
-/// A knot of the locus, and what its segment lacks.
+/// A knot of the locus, and how its segment differs from a straight line.
 struct Knot {
-    /// u, v in units of 2^-20, and the unit tangent there in units of 2^-14.
+    /// u and v in units of 2^-20, and the unit tangent there in units of 2^-14.
     u: i32,
     v: i32,
     tangent: [i16; 2],
-    /// Of the parabola: 2^-15 at Duv 0, and what Duv 1 adds.
+    /// The parabola along the locus, in units of 2^-15: at Duv 0, and what Duv 1 adds.
     bulge: [i16; 2],
-    /// Of the distance, for each d0 d1: in 1/64, and what Duv 1 adds.
+    /// The parabola across the locus, for each d0 d1 and in units of 1/64: at Duv 0, and what Duv 1 adds.
     sagitta: [i16; 2],
 }
 
 impl FixedCct {
-    /// For u and v in units of 2^-20.
+    /// The color temperature of u and v in units of 2^-20.
     pub(super) fn of([u, v]: [i32; 2]) -> Self {
         let (mut segment, mut left) = (0, SEGMENTS);
         while left > 1 {
@@ -66,9 +87,10 @@ impl FixedCct {
             left -= half;
         }
         let Some([from, to]) = FIXED_LOCUS.get(segment..).and_then(|rest| rest.first_chunk()) else {
-            return FixedCct::OffLocus; // never: segment < SEGMENTS
+            return FixedCct::OffLocus; // never happens, since segment < SEGMENTS
         };
-        // Only the two ends of the table have a point on neither side; nothing there has a temperature.
+        // Only at the two ends of the table can a point be on neither side, and there nothing has a
+        // temperature.
         let (first, last) = (from.along_from_afar(u, v), to.along_from_afar(u, v));
         if first < -SLACK || last > SLACK {
             let (end, reason) = if first < 0 { (from, FixedCct::TooHot) } else { (to, FixedCct::TooCold) };
@@ -83,8 +105,8 @@ impl FixedCct {
         }
         let (d0, d1) = (from.along(u, v), to.along(u, v));
         let r = share(d0, d0 - d1);
-        // Both distances in units of 2^-20; their mean, weighted, and what the locus bends away from both
-        // tangents.
+        // Both distances across, in units of 2^-20; then their weighted mean, and what the locus bends away
+        // from both tangents.
         let (n0, n1) = (from.across(u, v) >> 14, to.across(u, v) >> 14);
         let mean = n0 + (((n1 - n0) * r) >> 15);
         let product = ((d0 >> 14) * (d1 >> 14)) >> 14;
@@ -95,7 +117,7 @@ impl FixedCct {
         }
         let [bulge, with_duv] = from.bulge.map(i32::from);
         let s = r + ((((r * (32_768 - r)) >> 15) * (bulge + ((with_duv * duv) >> 20))) >> 15);
-        // 17 k + 11/256 k^3 at k + s, in 256ths: a + s (b + s (c + 11 s)).
+        // The mired at k + s, which are 17 k + 11/256 k^3; in 256ths they are a + s (b + s (c + 11 s)).
         let k = segment as i32;
         let (a, b, c) = (k * (4352 + 11 * k * k), 4352 + 33 * k * k, 33 * k);
         let more = s * (b + ((s * (c + ((s * 11) >> 15))) >> 15));
@@ -105,9 +127,9 @@ impl FixedCct {
         } else if mired > COLDEST {
             FixedCct::TooCold
         } else {
-            // Millionths: 10^6 / 2^20 = 15625 / 2^14.
+            // Duv in millionths: 10^6 / 2^20 = 15625 / 2^14.
             FixedCct::Near {
-                // 10^6 * 4096 / mired = 2^21 * 15625 / (8 mired).
+                // The temperature in K: 10^6 * 4096 / mired = 2^21 * 15625 / (8 mired).
                 cct_k: quotient(15_625, 8 * mired, 21) as u32,
                 mired_e3: (mired * 125) >> 9,
                 duv_e6: (duv * 15_625) >> 14,
@@ -117,29 +139,29 @@ impl FixedCct {
 }
 
 impl Knot {
-    /// How far along the locus a point lies from here, in units of 2^-34; for points within 0.12.
+    /// How far along the locus a point lies from here, in units of 2^-34, for points within 0.12.
     fn along(&self, u: i32, v: i32) -> i32 {
         (u - self.u) * i32::from(self.tangent[0]) + (v - self.v) * i32::from(self.tangent[1])
     }
 
-    /// How far above it, in units of 2^-34; for points within 0.12.
+    /// How far above the locus a point lies, in units of 2^-34, for points within 0.12.
     fn across(&self, u: i32, v: i32) -> i32 {
         (v - self.v) * i32::from(self.tangent[0]) - (u - self.u) * i32::from(self.tangent[1])
     }
 
-    /// As [`along`](Self::along), in units of 2^-30; for all points.
+    /// As [`along`](Self::along), in units of 2^-30, for all points.
     fn along_from_afar(&self, u: i32, v: i32) -> i32 {
         ((u - self.u) >> 4) * i32::from(self.tangent[0]) + ((v - self.v) >> 4) * i32::from(self.tangent[1])
     }
 
-    /// As [`across`](Self::across), in units of 2^-18; for all points.
+    /// As [`across`](Self::across), in units of 2^-18, for all points.
     fn across_from_afar(&self, u: i32, v: i32) -> i32 {
         (((v - self.v) >> 4) * i32::from(self.tangent[0]) - ((u - self.u) >> 4) * i32::from(self.tangent[1]))
             >> 12
     }
 }
 
-/// part / whole in units of 2^-15, for -whole < part < 2 whole and 0 < whole < 2^30.
+/// Computes part / whole in units of 2^-15, for -whole < part < 2 whole and 0 < whole < 2^30.
 fn share(part: i32, whole: i32) -> i32 {
     let (size, whole) = (part.unsigned_abs(), whole as u32);
     let digits =
@@ -147,8 +169,10 @@ fn share(part: i32, whole: i32) -> i32 {
     if part < 0 { -digits } else { digits }
 }
 
-/// numerator / denominator in units of 2^-digits, rounded, for numerator < denominator < 2^31: one binary
-/// digit at a time, since a Cortex-M0 has no division. (The compiler's own is as quick and takes 400 bytes.)
+/// Computes numerator / denominator in units of 2^-digits, rounded, for numerator < denominator < 2^31.
+///
+/// It finds one binary digit at a time, since a Cortex-M0 has no division. (The compiler's own is as quick
+/// and takes 400 bytes.)
 #[inline(never)]
 pub(super) fn quotient(numerator: u32, denominator: u32, digits: u32) -> i32 {
     let (mut rest, mut found, mut left) = (numerator, 0, digits + 1);

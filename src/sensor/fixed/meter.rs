@@ -4,8 +4,28 @@ use crate::math::const_for;
 use crate::sensor::fixed::FixedXyz;
 use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 
-/// A light meter in integers: the exposure, dark level and calibration of a [`Meter`](crate::sensor::Meter)
-/// as weights of 31 bits.
+/// A light meter that turns raw counts into XYZ in integers, as [`Meter`](crate::sensor::Meter) does in
+/// floats.
+///
+/// Exposure, dark level and calibration are weights of 31 bits. [`new`](Self::new) makes the meter in a
+/// `static`, and [`xyz`](Self::xyz) reads it.
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::sensor::fixed::FixedMeter;
+/// use nanospectra::sensor::{Calibration, Exposure, ReadingError};
+///
+/// static TO_XYZ: Calibration<2> = Calibration::from_rows([[0.9, 0.1], [0.4, 0.6], [0.0, 1.1]]);
+/// static METER: FixedMeter<2> =
+///     FixedMeter::new_above(&Exposure::new(4.0, 25.0, 65_535), &[3.0, 5.0], &TO_XYZ).unwrap();
+/// // 10 and 20 counts per ms at unit gain: Y = 0.4 * 10 + 0.6 * 20 = 16.
+/// let xyz = METER.xyz(&[1003, 2005])?;
+/// assert_eq!(xyz.lux(), 16);
+/// assert_eq!(METER.xyz(&[3, 5]), Err(ReadingError::TooDark));
+/// assert!(METER.saturated(&[3, 65_535]).contains(1));
+/// # Ok::<(), ReadingError>(())
+/// ```
 ///
 /// # Accuracy
 /// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight
@@ -16,30 +36,64 @@ use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 /// takes some 6 400.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FixedMeter<const C: usize> {
-    /// Of each channel, what 2^16 counts add to X, Y and Z.
+    /// What 2^16 counts of each channel add to X, Y and Z.
     columns: [[i32; 3]; C],
     start: [i32; 3],
-    /// One unit of the sums is 2^-fraction of what the calibration gives (lux, mostly).
+    /// The unit of the sums, which is 2^-fraction of what the calibration gives (lux, mostly).
     fraction: i32,
     full_scale: u16,
-    /// The least sum of all counts.
+    /// The least sum of all counts that is not too dark.
     floor: u32,
 }
 
-/// The sizes of a row's weights, with what it starts from, add up to less than this.
+/// The limit of each row: the sizes of its weights, and what it starts from, add up to less than this.
 const LARGEST_SUM: f64 = (1_u32 << 30) as f64;
 
 impl<const C: usize> FixedMeter<C> {
-    /// A meter for readings with this exposure; `None` if all weights are zero, one is no number, or they are
-    /// beyond 1e-15..1e15 or so of what is usual. For `const` use:
-    /// it computes in f64.
+    /// Makes a meter for readings with this exposure.
+    ///
+    /// `None` if all weights are zero, if one is NaN or infinite, or if they are beyond 1e-15..1e15 or so of
+    /// what is usual. It computes in f64, so call it in a `const` or a `static`.
+    ///
+    /// ```
+    /// # use nanospectra::sensor::{Calibration, Exposure, fixed::FixedMeter};
+    /// static TO_LUX: Calibration<1> = Calibration::from_rows([[0.0], [2.0], [0.0]]);
+    /// static METER: FixedMeter<1> = FixedMeter::new(&Exposure::new(1.0, 10.0, 65_535), &TO_LUX).unwrap();
+    /// assert_eq!(METER.xyz(&[500])?.lux(), 100); // 500 / 10 * 2
+    /// # Ok::<(), nanospectra::sensor::ReadingError>(())
+    /// ```
     #[must_use]
     pub const fn new(exposure: &Exposure, calibration: &Calibration<C>) -> Option<Self> {
         Self::new_above(exposure, &[0.0; C], calibration)
     }
 
-    /// A meter that first takes these dark levels, in counts of the exposure, off each channel; `None` too if
-    /// one is not within 0..=65 535.
+    /// Computes the tristimulus values of one reading. See the [example](#example).
+    ///
+    /// # Errors
+    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
+    /// below zero.
+    #[inline]
+    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
+        let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
+        for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
+            let count = u32::from(*count);
+            headroom &= count as i32 - i32::from(self.full_scale);
+            total += count;
+            x += times(count, *to_x);
+            y += times(count, *to_y);
+            z += times(count, *to_z);
+        }
+        if headroom >= 0 || total < self.floor {
+            return Err(ReadingError::because(counts, self.full_scale.into()));
+        }
+        let xyz = FixedXyz::new([x, y, z], self.fraction);
+        if x | y | z < 0 { Err(ReadingError::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
+    }
+
+    /// Makes a meter that first subtracts these dark levels, in counts of the exposure, from each channel.
+    /// See the [example](#example).
+    ///
+    /// `None` as for [`new`](Self::new), and if a level is not within 0..=65 535.
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,
@@ -48,13 +102,13 @@ impl<const C: usize> FixedMeter<C> {
     ) -> Option<Self> {
         let per_count = 1.0 / (exposure.gain() as f64 * exposure.time_ms() as f64);
         let rows = calibration.rows();
-        // The largest sum of sizes of a row decides on the scale: 65 535 counts in every channel, and the
-        // start is no larger than that, since no dark level is.
+        // The largest row decides on the scale, at 65 535 counts in every channel. The start is no larger
+        // than that, since no dark level is.
         let mut largest = 0.0;
         const_for!(0..3, |d| {
             let mut sum = 0.0;
             const_for!(0..C, |c| sum += (rows[d][c] as f64 * per_count).abs() * 65_536.0);
-            // NaN comes and stays.
+            // A NaN comes in, since no comparison with it is true, and then it stays.
             largest = if sum <= largest || largest.is_nan() { largest } else { sum };
         });
         if !(largest > 0.0 && largest < f64::INFINITY) {
@@ -90,38 +144,15 @@ impl<const C: usize> FixedMeter<C> {
         Some(FixedMeter { columns, start, fraction, full_scale, floor: ceiling(total) })
     }
 
-    /// The tristimulus values of one reading.
-    ///
-    /// # Errors
-    /// `Saturated` with the channels at full scale; `TooDark`; `Negative`, with the sums, if one of them is
-    /// below zero.
-    #[inline]
-    pub fn xyz(&self, counts: &[u16; C]) -> Result<FixedXyz, ReadingError> {
-        let ([mut x, mut y, mut z], mut total, mut headroom) = (self.start, 0, -1);
-        for (count, [to_x, to_y, to_z]) in counts.iter().zip(&self.columns) {
-            let count = u32::from(*count);
-            headroom &= count as i32 - i32::from(self.full_scale);
-            total += count;
-            x += times(count, *to_x);
-            y += times(count, *to_y);
-            z += times(count, *to_z);
-        }
-        if headroom >= 0 || total < self.floor {
-            return Err(ReadingError::because(counts, self.full_scale.into()));
-        }
-        let xyz = FixedXyz::new([x, y, z], self.fraction);
-        if x | y | z < 0 { Err(ReadingError::Negative { xyz: xyz.to_xyz() }) } else { Ok(xyz) }
-    }
-
-    /// The channels at or above full scale.
+    /// Returns the set of channels that are at or above full scale. See the [example](#example).
     #[must_use]
     pub fn saturated(&self, counts: &[u16; C]) -> Channels {
         Channels::saturated(counts, self.full_scale.into())
     }
 }
 
-/// count * weight / 2^16, rounded down: a product of 48 bits by two of 32. Neither overflows: |weight| <
-/// 2^30, so the upper half is within 2^14, and 16 bits by 16 fit.
+/// Computes count * weight / 2^16, rounded down, which is a product of 48 bits by two of 32. Neither of the
+/// two overflows: |weight| < 2^30, so that the upper half is within 2^14, and 16 bits by 16 fit.
 #[inline(always)]
 fn times(count: u32, weight: i32) -> i32 {
     let upper = count as i32 * (weight >> 16);
@@ -129,7 +160,7 @@ fn times(count: u32, weight: i32) -> i32 {
     upper + (lower >> 16) as i32
 }
 
-/// To the nearest integer, in const fn.
+/// Rounds to the nearest integer, in `const fn`.
 const fn rounded(x: f64) -> i32 {
     if x < 0.0 { -((0.5 - x) as i32) } else { (x + 0.5) as i32 }
 }

@@ -6,10 +6,13 @@ use crate::observer::Observer;
 use crate::spectrum::Quantity;
 use core::marker::PhantomData;
 
-/// An [`Observer`] with weights of 16 bits that reads samples of 16 bits.
+/// Looks at spectra of 16-bit samples with weights of 16 bits, as an [`Observer`] does in floats.
 ///
-/// The weights are stored with an offset, so that none is negative and all use the 16 bits: a sum of products
-/// has the offset times the sum of samples taken off again.
+/// [`new`](Self::new) makes it from an observer in a `static`, [`sees`](Self::sees) reads samples, and
+/// [`unit`](Self::unit) says what the sums stand for. The weights are stored with an offset, so that none is
+/// negative and all use the 16 bits; the offset times the sum of the samples is subtracted again.
+///
+/// # Example
 ///
 /// ```
 /// # use nanospectra::{Curve, Factor, Observer, light::FL11, observer::CIE_1931};
@@ -31,18 +34,20 @@ use core::marker::PhantomData;
 /// 81 bands to XYZ take 1260 instructions on a Cortex-M0, where floats take 54 000; `2 C N` bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedObserver<const C: usize, const N: usize, G = Bins<380, 730>> {
-    /// Of each sum the weight of each band, plus `offset`.
+    /// The weight of each band in each sum, plus `offset`.
     rows: [[u16; N]; C],
     offset: u32,
-    /// Products are shifted right by this, so that `N` of the largest stay below 2^31.
+    /// By how much products are shifted right, so that `N` of the largest stay below 2^31.
     shift: u32,
     unit: f32,
     grid: PhantomData<G>,
 }
 
 impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
-    /// `observer` in integers; `None` if its weights are all zero, one is no number, or there are more than
-    /// 4096 bands. For `const` use: it computes in f64.
+    /// Turns the weights of `observer` into integers. See the [example](#example).
+    ///
+    /// `None` if all its weights are zero, if one is NaN or infinite, or if there are more than 4096 bands.
+    /// It computes in f64, so call it in a `const` or a `static`.
     #[must_use]
     pub const fn new<Q: Quantity>(observer: &Observer<C, N, Q, G>) -> Option<Self> {
         let rows = observer.weights();
@@ -74,7 +79,7 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
                 fixed[c][n] = if units < 65_535.0 { units as u16 } else { 65_535 };
             });
         });
-        // N products below 2^32, and as much again to take off.
+        // There are N products below 2^32, and as much again to subtract.
         let mut shift = 2;
         while N >> (shift - 2) > 0 {
             shift += 1;
@@ -83,19 +88,14 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
         Some(FixedObserver { rows: fixed, offset, shift: shift as u32, unit, grid: PhantomData })
     }
 
-    /// What one unit of the sums stands for, for samples that count 1 each: a sample scaled by `k` has
-    /// `unit() / k`.
-    #[must_use]
-    pub const fn unit(&self) -> f32 {
-        self.unit
-    }
-
-    /// The sums, in units of [`unit`](Self::unit); below 2^30 in size, whatever the samples.
+    /// Computes the sums of this observer, in units of [`unit`](Self::unit). See the [example](#example).
+    ///
+    /// They are below 2^30 in size, whatever the samples.
     #[must_use]
     #[inline]
     pub fn sees(&self, samples: &[u16; N]) -> [i32; C] {
         let total = samples.iter().map(|sample| u32::from(*sample)).sum::<u32>();
-        // offset * total is below N * 2^32: its two halves in turn.
+        // offset * total is below N * 2^32, so its two halves are taken in turn.
         let lifted = (((total >> 16) * self.offset) << (16 - self.shift))
             + (((total & 0xffff) * self.offset) >> self.shift);
         let mut sums = [0; C];
@@ -105,8 +105,17 @@ impl<const C: usize, const N: usize, G: Bands> FixedObserver<C, N, G> {
         sums
     }
 
-    /// Eight at a time, by name: a loop over the rows inside one over the samples takes a third more
-    /// instructions on a Cortex-M0, and twice as many at opt-level "s".
+    /// Returns what one unit of the sums stands for, if a sample of 1 stands for 1. See the
+    /// [example](#example).
+    ///
+    /// For samples that are scaled by `k`, a unit stands for `unit() / k`.
+    #[must_use]
+    pub const fn unit(&self) -> f32 {
+        self.unit
+    }
+
+    /// Sums eight products at a time, written out. A loop over the rows inside one over the samples takes a
+    /// third more instructions on a Cortex-M0, and twice as many at opt-level "s".
     #[inline]
     fn dot(&self, row: &[u16; N], samples: &[u16; N]) -> u32 {
         let product = |a: u16, b: u16| (u32::from(a) * u32::from(b)) >> self.shift;

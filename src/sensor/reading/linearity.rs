@@ -1,21 +1,27 @@
-//! Read-outs that are not linear: what they report falls short of the light as it grows.
+//! Readouts that are not linear: what they report falls short of the light as it grows.
 //!
-//! A path and an observer are linear, so both fold; a read-out is not, and never does. It is applied to what
-//! the observer sees, channel by channel, and undone on what a chip reports before anything else is.
+//! A path and an observer are linear, so both can be folded into one matrix. A readout that is not linear
+//! cannot be. It is applied to what the observer sees, channel by channel, and it is undone on what a chip
+//! reports before any other step.
 
 use crate::math::const_for;
 
-/// A counter that misses what arrives while it is busy with an event before (non-paralysable dead time):
-/// photon counters, and chips that turn light into a frequency.
+/// A counter that misses every event that arrives while it is still busy with the one before (non-paralyzable
+/// dead time).
+///
+/// Photon counters are like that, and so are chips that turn light into a frequency.
+/// [`arrived`](Self::arrived) corrects what was counted, and [`counted`](Self::counted) simulates it.
+///
+/// # Example
 ///
 /// ```
 /// use nanospectra::sensor::DeadTime;
-/// // 50 ns: of a million photons a second one in 21 is missed.
+/// // With 50 ns, one in 21 of a million photons a second is missed.
 /// let counter = DeadTime::new(50e-9);
 /// let counted = counter.counted(1e6);
 /// assert!((counted - 1e6 / 1.05).abs() < 1.0);
 /// assert!((counter.arrived(counted).unwrap() - 1e6).abs() < 1.0);
-/// // 20 million a second is all that it can count.
+/// // 20 million a second is the limit of this counter, at which any number may have arrived.
 /// assert_eq!(counter.arrived(20e6), None);
 /// ```
 ///
@@ -28,15 +34,36 @@ pub struct DeadTime {
 }
 
 impl DeadTime {
-    /// A counter that is busy for so many seconds after each event; a negative time counts as zero. NaN stays
-    /// NaN.
+    /// Makes a counter that is busy for so many seconds after each event. See the [example](#example).
+    ///
+    /// A negative time counts as zero. NaN stays NaN.
     #[must_use]
     pub const fn new(seconds: f32) -> Self {
         DeadTime { seconds: if seconds < 0.0 { 0.0 } else { seconds } }
     }
 
-    /// Events counted per second of `arriving` ones, zero or more; below one in every dead time. NaN stays
-    /// NaN.
+    /// Computes how many events arrived per second when `counted` ones were counted. See the
+    /// [example](#example).
+    ///
+    /// `None` from one count in every dead time on, where any number may have arrived. NaN stays NaN.
+    ///
+    /// # Accuracy
+    /// There and back 2 units in the last place while a sixth of the time is dead at most, 4 up to half of
+    /// it. Close to the limit, a rounding error of what is counted grows in what arrived: it is divided by
+    /// the share of the time in which the counter is not busy.
+    #[must_use]
+    #[inline]
+    pub const fn arrived(&self, counted: f32) -> Option<f32> {
+        // (Zero times infinity is NaN, but an ideal counter has no dead time and counts them all.)
+        let dead = if self.seconds == 0.0 { 0.0 } else { self.seconds * counted };
+        let live = 1.0 - dead;
+        if live <= 0.0 { None } else { Some(counted / live) }
+    }
+
+    /// Computes how many events are counted per second when `arriving` ones arrive. See the
+    /// [example](#example).
+    ///
+    /// `arriving` is zero or more. The result is below one event in every dead time. NaN stays NaN.
     ///
     /// # Accuracy
     /// 2 units of 2^-24.
@@ -44,32 +71,21 @@ impl DeadTime {
     #[inline]
     pub const fn counted(&self, arriving: f32) -> f32 {
         let busy = self.seconds * arriving;
-        // So many that the counter is always busy; and infinity over infinity is no number.
+        // So many arrive that the counter is always busy. (Infinity over infinity would be NaN.)
         if busy == f32::INFINITY || arriving == f32::INFINITY {
             return 1.0 / self.seconds;
         }
         arriving / (1.0 + busy)
     }
-
-    /// Events that arrived per second, of `counted` ones; `None` from one count in every dead time on, where
-    /// any number may have arrived. NaN stays NaN.
-    ///
-    /// # Accuracy
-    /// There and back 2 units in the last place while a sixth of the time is dead at most, 4 up to half of
-    /// it; close to the pole a rounding of what is counted is one over the live share of the time larger in
-    /// what arrived.
-    #[must_use]
-    #[inline]
-    pub const fn arrived(&self, counted: f32) -> Option<f32> {
-        // (Zero times infinity is no time: an ideal counter counts them all.)
-        let dead = if self.seconds == 0.0 { 0.0 } else { self.seconds * counted };
-        let live = 1.0 - dead;
-        if live <= 0.0 { None } else { Some(counted / live) }
-    }
 }
 
-/// A response that is not linear: what is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`,
-/// rising throughout. Photodiodes near saturation, amplifiers, converters.
+/// A polynomial response, as of photodiodes near saturation, amplifiers and converters, that bends away from
+/// a straight line.
+///
+/// What is read of a signal `x` of full scale 1 is `x + c2 x^2 + c3 x^3 ..`, and rises throughout.
+/// [`signal`](Self::signal) corrects what was read, and [`read`](Self::read) simulates it.
+///
+/// # Example
 ///
 /// ```
 /// use nanospectra::sensor::Nonlinearity;
@@ -89,15 +105,16 @@ pub struct Nonlinearity<const K: usize> {
 const STEPS: usize = 32;
 
 impl<const K: usize> Nonlinearity<K> {
-    /// From the coefficients of x^2, x^3 ..; `None` if one is not finite or if the response does not rise
-    /// everywhere in 0..=1.
+    /// Takes the coefficients of x^2, x^3 and so on. See the [example](#example).
     ///
-    /// That is judged at 257 places between which the slope must not be able to reach zero by its own bound
-    /// on how it changes; so a response whose slope comes within some thousandths of zero may be refused too.
+    /// `None` if one of them is not finite or if the response does not rise everywhere in 0..=1. The slope is
+    /// looked at in 257 places, and a bound on how fast it changes tells whether it could reach zero between
+    /// two of them. Therefore a response whose slope comes within some thousandths of zero may be refused
+    /// too.
     #[must_use]
     pub const fn new(coefficients: [f32; K]) -> Option<Self> {
         let bend = Nonlinearity { coefficients };
-        // How fast the slope can change at most: sum of k (k - 1) |c_k|.
+        // An upper bound of how fast the slope changes: the sum of k (k - 1) |c_k|.
         let mut change = 0.0;
         const_for!(0..K, |k| {
             let power = (k + 2) as f32;
@@ -117,14 +134,9 @@ impl<const K: usize> Nonlinearity<K> {
         Some(bend)
     }
 
-    /// The reading of `signal`, which is 0..=1.
-    #[must_use]
-    #[inline]
-    pub const fn read(&self, signal: f32) -> f32 {
-        self.value_and_slope(signal).0
-    }
-
-    /// The signal, 0..=1, of what is read; `None` outside what full scale and zero read. NaN stays NaN.
+    /// Computes the signal, 0..=1, of what was read. See the [example](#example).
+    ///
+    /// `None` below the reading of zero and above that of full scale. NaN stays NaN.
     ///
     /// # Accuracy
     /// There and back 2 units in the last place of full scale over the slope of the response.
@@ -147,7 +159,7 @@ impl<const K: usize> Nonlinearity<K> {
                 high = signal;
             }
             let next = signal - (value - read) / slope;
-            // Out of the bracket, or NaN: half way is always nearer.
+            // If Newton's step leaves the bracket or is NaN, its middle is nearer.
             let next = if next < low || next > high { 0.5 * (low + high) } else { next };
             if next == signal {
                 break;
@@ -156,6 +168,13 @@ impl<const K: usize> Nonlinearity<K> {
             step += 1;
         }
         Some(signal)
+    }
+
+    /// Computes what is read of a `signal` within 0..=1. See the [example](#example).
+    #[must_use]
+    #[inline]
+    pub const fn read(&self, signal: f32) -> f32 {
+        self.value_and_slope(signal).0
     }
 
     const fn value_and_slope(&self, x: f32) -> (f32, f32) {

@@ -1,4 +1,5 @@
-//! One reading of a chip: raw counts, what they are worth, and why they may be worth nothing.
+//! One reading of a chip: raw counts, the light that they stand for, and the reasons why a reading may not be
+//! a measurement.
 
 mod basic_counts;
 mod count;

@@ -1,56 +1,72 @@
 //! Flicker: how much a light flickers, and which times average it out.
 //!
-//! A sum over readings takes them at equal steps and each as the mean of its step, as a chip that integrates
-//! all the time has them. It runs over a whole number of periods of the flicker, counted from the first
-//! reading; the last reading counts in part if that is where the last period ends.
+//! A sum over readings takes them at equal steps, each as the mean of its step, which is how a chip that
+//! integrates all the time reads them. The sum runs over a whole number of periods of the flicker, counted
+//! from the first reading. If the last period ends within a reading, that reading counts in part.
 
 use crate::math::{cos_turns, sin_turns, sqrt};
 use crate::sensor::Exposure;
 
-/// The frequencies of lamps on mains of 50 and of 60 Hz: twice those of the mains.
+/// The frequencies in Hz at which lamps on mains of 50 and of 60 Hz flicker, which are twice those of the
+/// mains.
 pub const MAINS_FLICKER_HZ: [f32; 2] = [100.0, 120.0];
 
-/// The shortest integration time, in ms, of whole periods of both: 5 of 100 Hz, 6 of 120 Hz.
-pub const MAINS_PERIODS_MS: f32 = 50.0;
-
-/// So many periods are missing at most, as a share, where a whole number of them was meant: rates are not
-/// round.
-const SLACK: f32 = 1e-5;
-
-/// The flicker of a light: its mean, percent flicker and flicker index.
-///
-/// # Reference
-/// CIE International Lighting Vocabulary (amplitude of fluctuation, flicker index; IEC 60050-845,
-/// 845-22-094); ANSI/IES LS-1, 5.9.9.4.
+/// The shortest integration time, in ms, that holds whole periods of both mains: 5 periods of 100 Hz, 6 of
+/// 120 Hz.
 ///
 /// ```
-/// # use nanospectra::sensor::Flicker;
+/// # use nanospectra::sensor::{MAINS_FLICKER_HZ, MAINS_PERIODS_MS};
+/// let periods = MAINS_FLICKER_HZ.map(|hz| hz * MAINS_PERIODS_MS / 1000.0);
+/// assert_eq!(periods, [5.0, 6.0]);
+/// ```
+pub const MAINS_PERIODS_MS: f32 = 50.0;
+
+/// The share of a period that may be missing where a whole number of periods was meant, because rates are not
+/// round numbers.
+const SLACK: f32 = 1e-5;
+
+/// How much a light flickers, which is told by its mean, its percent flicker and its flicker index.
+///
+/// [`Flicker::of`] computes them from readings at equal steps.
+///
+/// # Example
+///
+/// ```
+/// use nanospectra::sensor::Flicker;
+///
 /// // Pulse width modulation with a duty of 25 %, at 250 Hz, read 1000 times a second.
 /// let readings = [4.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0];
 /// let Some(flicker) = Flicker::of(&readings, 1000.0, 250.0) else { return };
 /// assert_eq!((flicker.mean, flicker.percent, flicker.index), (1.0, 100.0, 0.75)); // index 1 - duty
 /// ```
+///
+/// # Reference
+/// CIE International Lighting Vocabulary (amplitude of fluctuation, flicker index; IEC 60050-845,
+/// 845-22-094); ANSI/IES LS-1, 5.9.9.4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flicker {
-    /// The mean over whole periods.
+    /// The mean of the readings, which is taken over whole periods. See the [example](#example).
     pub mean: f32,
-    /// Percent flicker, 0..=100: (max - min) / (max + min) of the readings of these periods.
+    /// Percent flicker, 0..=100, which is 100 (max - min) / (max + min) of the readings of these periods. See
+    /// the [example](#example).
     pub percent: f32,
-    /// Flicker index, 0..=1 for readings that are not negative: what lies above the mean, as a share of all.
+    /// Flicker index, the share of all light that lies above the mean. See the [example](#example).
+    ///
+    /// It is within 0..=1 for readings that are not negative.
     pub index: f32,
 }
 
 impl Flicker {
-    /// The flicker of readings (lux, counts) taken `rate_hz` times a second of a light that repeats
-    /// `frequency_hz` times.
+    /// Computes the flicker of readings (lux, counts) that were taken `rate_hz` times a second of a light
+    /// that repeats `frequency_hz` times a second. See the [example](#example).
     ///
-    /// NaN among them makes all three numbers NaN (infinity the last two). `None` where there is no answer:
-    /// less than one period, fewer than two readings in each, no light (a sum not above zero), a rate or
-    /// frequency not above zero.
+    /// `None` where there is no answer: less than one period, fewer than two readings in each, no light (a
+    /// sum that is not above zero), a rate or frequency that is not above zero. NaN among the readings makes
+    /// all three numbers NaN, and infinity the last two.
     ///
-    /// Each reading averages the light while it integrates: of a sine there is
-    /// [`Exposure::residual_modulation`] left.
+    /// Each reading averages the light while it integrates. How much of a sine is left after that is told by
+    /// [`Exposure::residual_modulation`].
     #[must_use]
     pub fn of<'a, R>(readings: R, rate_hz: f32, frequency_hz: f32) -> Option<Self>
     where
@@ -81,10 +97,18 @@ impl Flicker {
     }
 }
 
-/// The mean of readings taken `rate_hz` times a second, over as many whole periods of `frequency_hz` as they
-/// hold: what a light that flickers has on average, whichever its phase.
+/// Computes the mean of readings over as many whole periods of a flicker as they hold, so that it does not
+/// depend on the phase at which they begin.
 ///
-/// `None` for less than one period, or a rate or frequency not above zero. NaN stays NaN.
+/// The readings were taken `rate_hz` times a second, and the light repeats `frequency_hz` times a second.
+/// `None` for less than one period, or a rate or frequency that is not above zero. NaN stays NaN.
+///
+/// ```
+/// # use nanospectra::sensor::mean_over_periods;
+/// // Six readings of a light with a period of four: the last two are left out.
+/// let readings = [0.0, 10.0, 20.0, 10.0, 0.0, 10.0];
+/// assert_eq!(mean_over_periods(&readings, 400.0, 100.0), Some(10.0));
+/// ```
 ///
 /// # Accuracy
 /// A wave that repeats is averaged to what its phase makes of the last, partial reading; nothing is left
@@ -98,11 +122,19 @@ where
     Some(Periods::of(readings.clone(), rate_hz, frequency_hz)?.mean(readings))
 }
 
-/// The amplitude (half of crest to trough) of the part of readings that swings with `frequency_hz`, by
-/// Goertzel's recurrence over whole periods; in the readings' unit.
+/// Computes the amplitude (half of crest to trough) of the part of readings that swings with `frequency_hz`.
 ///
-/// `None` for less than one period, fewer than two readings in each, or a rate or frequency not above zero.
-/// NaN stays NaN.
+/// It is in the unit of the readings, which were taken `rate_hz` times a second, and comes from Goertzel's
+/// recurrence over whole periods. `None` for less than one period, fewer than two readings in each, or a rate
+/// or frequency that is not above zero. NaN stays NaN.
+///
+/// ```
+/// # use nanospectra::sensor::amplitude_at;
+/// // 100 lx that swing by 20 lx at 100 Hz, read 400 times a second.
+/// let readings = [100.0, 120.0, 100.0, 80.0, 100.0, 120.0, 100.0, 80.0];
+/// let Some(amplitude) = amplitude_at(&readings, 400.0, 100.0) else { return };
+/// assert!((amplitude - 20.0).abs() < 1e-3);
+/// ```
 ///
 /// # Accuracy
 /// 4e-5 of the amplitude for up to 1000 readings with a period of 100 or fewer, each period a whole number of
@@ -123,7 +155,7 @@ where
     if periods.per_period < 2.0 {
         return None;
     }
-    // Without the mean, which a part of a reading would leak into every frequency.
+    // The mean is subtracted, because a part of a reading would spread it over every frequency.
     let mean = periods.mean(readings.clone());
     let turn = 2.0 * cos_turns(frequency_hz / rate_hz);
     let (mut last, mut before) = (0.0, 0.0);
@@ -136,8 +168,10 @@ where
 }
 
 impl Exposure {
-    /// The share of a flicker of `frequency_hz` that a reading still shows: |sinc|, 1 for a time much shorter
-    /// than a period, 0 for whole periods.
+    /// Computes the share of a flicker of `frequency_hz` that a reading still shows: 1 for a time much
+    /// shorter than a period, 0 for whole periods.
+    ///
+    /// It is the magnitude of sinc, sin(x) / x with x = pi times frequency times integration time.
     ///
     /// # Accuracy
     /// 2e-7.
@@ -156,7 +190,7 @@ impl Exposure {
         (sin_turns(0.5 * half_turns) / (core::f32::consts::PI * half_turns)).abs()
     }
 
-    /// Whether a reading averages a flicker of `frequency_hz`: not more than 0.5 % of it is left.
+    /// Returns whether a reading averages out a flicker of `frequency_hz`: not more than 0.5 % of it is left.
     ///
     /// ```
     /// # use nanospectra::sensor::{MAINS_FLICKER_HZ, chip::as7341};
@@ -170,8 +204,16 @@ impl Exposure {
     }
 }
 
-/// The longest time of whole periods of `frequency_hz` that is no longer than `at_most_ms` (to rounding), in
-/// ms; `None` if not even one fits.
+/// Computes the longest time in ms that holds whole periods of `frequency_hz` and is no longer than
+/// `at_most_ms` (to rounding).
+///
+/// `None` if not even one period fits.
+///
+/// ```
+/// # use nanospectra::sensor::whole_periods_ms;
+/// assert_eq!(whole_periods_ms(120.0, 60.0), Some(7.0 * 1000.0 / 120.0)); // 58.3 ms
+/// assert_eq!(whole_periods_ms(100.0, 9.0), None);
+/// ```
 #[must_use]
 pub const fn whole_periods_ms(frequency_hz: f32, at_most_ms: f32) -> Option<f32> {
     let periods = whole(at_most_ms * frequency_hz / 1000.0);
@@ -183,10 +225,10 @@ const fn whole(periods: f32) -> f32 {
     (periods * (1.0 + SLACK)) as u32 as f32
 }
 
-/// The readings that whole periods take up.
+/// How many readings whole periods take up.
 struct Periods {
     per_period: f32,
-    /// Of all periods, in readings.
+    /// The length of all periods together, in readings.
     length: f32,
 }
 
@@ -202,7 +244,7 @@ impl Periods {
         (periods >= 1.0 && length > 0.0).then_some(Periods { per_period, length })
     }
 
-    /// The readings with their weights: 1, and at last what is left.
+    /// The readings with their weights, which are 1 but for the last one.
     fn weighted<'a>(&self, readings: impl Iterator<Item = &'a f32>) -> impl Iterator<Item = (f32, f32)> {
         let length = self.length;
         readings
