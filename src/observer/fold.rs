@@ -31,7 +31,8 @@ pub enum Curve {
 }
 
 impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> {
-    /// Folds this observer, which reads a spectrum at 1 nm, into one that reads `M` bins of the grid `H`.
+    /// Reduces this observer, which reads a spectrum at 1 nm, to one that reads averages over the `M` bins of
+    /// the grid `H`. This is called folding.
     ///
     /// A spectrum of `M` averages does not say what happens within a bin. Folding assumes a [`Curve`] that
     /// has these averages, lets the fine observer look at the curve, and stores the result as `M` weights for
