@@ -1,12 +1,18 @@
-//! What the numbers of a spectrum belong to: bands of any kind, and those that lie at wavelengths.
+//! Says which bands the numbers of a spectrum belong to: bins of a grid of wavelengths, or red, green and
+//! blue.
 
-/// What the N numbers of a spectrum belong to: the bins of a [`Grid`] of wavelengths, or red, green and blue
-/// ([`RgbBands`](crate::color::RgbBands)).
+/// Says what the `N` numbers of a spectrum belong to: the bins of a [`Grid`] of wavelengths, or red, green
+/// and blue ([`RgbBands`](crate::color::RgbBands)).
 ///
-/// What needs no wavelengths asks for no more than this: arithmetic, [`flat`](crate::Spectrum::flat), BRDFs,
-/// radiometry, paths, observers. Code that is generic over it, or written against an alias, is a spectral
-/// renderer or an RGB one:
+/// Operations that need no wavelengths ask for no more than this trait: arithmetic,
+/// [`flat`](crate::Spectrum::flat), BRDFs, radiometry, paths and observers. Code that is generic over
+/// `Bands`, or that names its spectra by one alias, therefore works as a spectral renderer and as an RGB
+/// renderer.
 ///
+/// There are no other kinds of bands. For bands of your own implement [`Grid`] for a type, or use `RgbBands`
+/// with an RGB space of your own.
+///
+/// # Example
 /// ```
 /// use nanospectra::color::{RgbBands, Srgb};
 /// use nanospectra::{Bands, Light, Reflectance};
@@ -18,15 +24,12 @@
 /// let rgb = twice_off(Light::<3, RgbBands<Srgb>>::flat(1.0), Reflectance::flat(0.5));
 /// assert_eq!((spectral.peak(), rgb.peak()), (0.25, 0.25));
 /// ```
-///
-/// Bands of your own are a type with [`Grid`], or an RGB space of your own in `RgbBands`: there is no other
-/// kind.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` says nothing of what the numbers of a spectrum belong to",
     note = "use `Bins`, `Nodes`, a type with `Grid`, or `RgbBands` for red, green and blue"
 )]
 pub trait Bands: Copy + 'static {
-    /// What they are.
+    /// Which of the two kinds of bands these are.
     #[doc(hidden)]
     const KIND: Kind;
 }
@@ -35,9 +38,9 @@ pub trait Bands: Copy + 'static {
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
-    /// Bins of wavelengths: `FIRST`, `LAST` and `CENTERED` of the grid.
+    /// Bins of wavelengths, described by `FIRST`, `LAST` and `CENTERED` of the grid.
     Wavelengths { first: f64, last: f64, centered: bool },
-    /// So many colors, at no wavelengths.
+    /// This many colors, which have no wavelengths.
     Colors(usize),
 }
 
@@ -45,11 +48,13 @@ impl<G: Grid> Bands for G {
     const KIND: Kind = Kind::Wavelengths { first: G::FIRST, last: G::LAST, centered: G::CENTERED };
 }
 
-/// A range of wavelengths, in nm, divided into equal bins; a type, so that spectra on
-/// different grids cannot be mixed.
+/// Describes a range of wavelengths, in nm, that is divided into equal bins.
 ///
-/// Use [`Bins`] or [`Nodes`]; a range that is not whole nanometers brings its own type:
+/// A grid is a type, so the compiler refuses to mix spectra on different grids. Use [`Bins`] or [`Nodes`] for
+/// ranges of whole nanometers. For any other range implement this trait for a type of your own; nothing but
+/// its three constants is needed.
 ///
+/// # Example
 /// ```
 /// # use nanospectra::{Grid, Light};
 /// /// A mini-spectrometer whose pixels are centered on 317.4..=881.2 nm.
@@ -71,20 +76,40 @@ impl<G: Grid> Bands for G {
             `Reflectance::from_rgb(color)`, or use a grid for the whole program"
 )]
 pub trait Grid: Copy + 'static {
-    /// The first edge, or the center of the first bin if [`CENTERED`](Grid::CENTERED), in nm.
+    /// Where the grid begins, in nm: the lower edge of its first bin, or the center of that bin if
+    /// [`CENTERED`](Grid::CENTERED) is true. See the [example](Grid#example).
     const FIRST: f64;
-    /// The last edge, or the center of the last bin if [`CENTERED`](Grid::CENTERED), in nm.
+    /// Where the grid ends, in nm: the upper edge of its last bin, or the center of that bin if
+    /// [`CENTERED`](Grid::CENTERED) is true. See the [example](Grid#example).
     const LAST: f64;
-    /// Whether `FIRST` and `LAST` are centers of bins (an instrument's) or edges.
+    /// Whether `FIRST` and `LAST` are centers of bins, as an instrument reports them, or edges of bins. See
+    /// the [example](Grid#example).
     const CENTERED: bool;
 }
 
-/// N equal bins between two edges, in nm: `Light<60, Bins<400, 700>>` has bins 5 nm wide.
+/// A grid of `N` equal bins that lie between the edges `START` and `END`, in nm.
+///
+/// # Example
+/// ```
+/// # use nanospectra::{Bins, Light};
+/// // 60 bins from 400 to 700 nm are 5 nm wide.
+/// type Coarse = Light<60, Bins<400, 700>>;
+/// assert_eq!((Coarse::WIDTH_NM, Coarse::edge_nm(0), Coarse::center_nm(0)), (5.0, 400.0, 402.5));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Bins<const START: u16, const END: u16>;
 
-/// N equal bins centered on `FIRST`..=`LAST`, in nm: what instruments and CIE tables report.
-/// `Light<81, Nodes<380, 780>>` is a 5 nm instrument; its outer edges are 377.5 and 782.5 nm.
+/// A grid of `N` equal bins whose centers run from `FIRST` to `LAST`, in nm, as instruments and CIE tables
+/// report them.
+///
+/// # Example
+/// ```
+/// # use nanospectra::{Light, Nodes};
+/// // An instrument that reports 380, 385, .. 780 nm; its first bin begins half a step below 380 nm.
+/// type Instrument = Light<81, Nodes<380, 780>>;
+/// assert_eq!((Instrument::center_nm(0), Instrument::center_nm(80)), (380.0, 780.0));
+/// assert_eq!((Instrument::edge_nm(0), Instrument::edge_nm(81)), (377.5, 782.5));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Nodes<const FIRST: u16, const LAST: u16>;
 
@@ -100,12 +125,12 @@ impl<const FIRST: u16, const LAST: u16> Grid for Nodes<FIRST, LAST> {
     const CENTERED: bool = true;
 }
 
-/// The bands `G` when there are `N` of them: checked, and their wavelengths worked out, once, when code is
-/// generated.
+/// The layout of `N` bands of `G`. Each such pair is checked, and its wavelengths are computed, once while
+/// code is generated.
 pub(crate) struct Layout<G, const N: usize>(core::marker::PhantomData<G>);
 
 impl<G: Bands, const N: usize> Layout<G, N> {
-    /// Naming it makes bands that cannot be `N` fail.
+    /// Evaluating this constant stops the build if `G` cannot be divided into `N` bands.
     pub(crate) const CHECKED: () = match G::KIND {
         Kind::Colors(count) => assert!(N == count, "red, green and blue are three bands"),
         Kind::Wavelengths { first, last, centered } => {
@@ -132,16 +157,16 @@ impl<G: Grid, const N: usize> Layout<G, N> {
     /// The upper edge of the last bin, in nm.
     pub(crate) const END: f64 = if G::CENTERED { G::LAST + Self::WIDTH / 2.0 } else { G::LAST };
 
-    /// The width for run-time code.
+    /// Width of a bin, in nm, as run-time code uses it.
     pub(crate) const STEP: f32 = Self::WIDTH as f32;
 
-    /// Edge `k`, 0..=N, in nm: one function for both neighbors, so no gap opens between bins.
+    /// Edge `k`, 0..=N, in nm. Both neighbors of an edge get it from here, so no gap opens between bins.
     pub(crate) const fn edge(k: usize) -> f32 {
         if k >= N { Self::END as f32 } else { Self::START as f32 + k as f32 * Self::STEP }
     }
 
-    /// Edge `k`, 0..=N, in units of 2^-40 nm. Overlaps of bins are differences of these: in f32 an
-    /// edge near 500 nm is off by up to 3e-5 nm, which is 4e-5 of a bin of 0.75 nm.
+    /// Edge `k`, 0..=N, in units of 2^-40 nm. Overlaps of bins are computed as differences of these, because
+    /// in f32 an edge near 500 nm is off by up to 3e-5 nm, which is 4e-5 of a bin of 0.75 nm.
     pub(crate) const fn edge_units(k: usize) -> i64 {
         const UNITS: f64 = (1_i64 << 40) as f64;
         let (start, width) = const { ((Self::START * UNITS) as i64, (Self::WIDTH * UNITS + 0.5) as i64) };
@@ -160,8 +185,8 @@ impl<G: Grid, const N: usize> Layout<G, N> {
     }
 }
 
-/// `Clone`, `Copy`, `PartialEq` and `Debug` by these fields, whatever the grid: derived, they would ask it of
-/// the grid too, which is only a name.
+/// Implements `Clone`, `Copy`, `PartialEq` and `Debug` by these fields, for every grid. Derived
+/// implementations would demand the same traits of the grid, which is only a name.
 macro_rules! by_fields {
     ([$($generics:tt)*] $type:ty, $name:literal: $($field:tt),+) => {
         impl<$($generics)*> Clone for $type {

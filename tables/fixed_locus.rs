@@ -1,13 +1,14 @@
-//! The Planckian locus for integers: knots with unit tangents, and two parabolas for each segment.
+//! The Planckian locus for arithmetic in integers: knots with unit tangents, and two parabolas for each
+//! segment.
 //!
-//! What a segment lacks is fitted here, by least squares over its length and |Duv| <= 0.05, from the locus
-//! itself; the formulas are those of `src/sensor/fixed/cct.rs`.
+//! The parabolas correct the straight segments. They are fitted here to the locus itself, by least squares
+//! over the length of a segment and |Duv| <= 0.05, for the formulas of `src/sensor/fixed/cct.rs`.
 
 use crate::locus::{KNOTS, knot};
 use crate::table::Table;
 use std::fmt::Write as _;
 
-/// Rust source of `FIXED_LOCUS: [Knot; KNOTS]`.
+/// The Rust source of `FIXED_LOCUS: [Knot; KNOTS]`.
 pub fn source(cmf: &Table) -> String {
     let mut text = format!("static FIXED_LOCUS: [Knot; {KNOTS}] = [\n");
     for k in 0..KNOTS {
@@ -39,7 +40,7 @@ struct Point {
 
 impl Point {
     fn at(k: f64, cmf: &Table) -> Self {
-        // 17 k + 11/256 k^3 mired, 0 to 1002: whole numbers of 256ths.
+        // Knots lie at 17 k + 11/256 k^3 mired, from 0 to 1002, which are whole numbers of 256ths.
         let [u, v, du, dv] = knot(k * (17.0 + 11.0 / 256.0 * k * k), cmf);
         let length = (du * du + dv * dv).sqrt();
         Point { place: [u, v], tangent: [du / length, dv / length] }
@@ -74,7 +75,7 @@ fn fit(k: u32, from: Point, to: Point, cmf: &Table) -> ([f64; 2], [f64; 2]) {
     (bulge.solve(), sagitta.solve())
 }
 
-/// Least squares for two coefficients.
+/// A fit of two coefficients by least squares.
 #[derive(Default)]
 struct Pair {
     squares: [f64; 3],

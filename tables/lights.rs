@@ -1,4 +1,4 @@
-//! What the documentation of a light says about its color, and names in few words.
+//! The color of a light, for its documentation, and lists of names in few words.
 
 use crate::locus::knot;
 use crate::table::Table;
@@ -16,8 +16,8 @@ impl Locus {
         Locus((0..900).map(point).collect())
     }
 
-    /// `"; 4000 K, x = 0.3805, y = 0.3769"`: read at 1 nm by straight lines, zero outside, as the library
-    /// does.
+    /// Describes the color of a light, as in `" with a CCT of 4000 K (x = 0.3805, y = 0.3769),"`. The column
+    /// is interpolated to 1 nm by straight lines and is zero outside, as in the library.
     pub fn describe(&self, table: &Table, column: &[f64], cmf: &Table) -> String {
         let (first, step) = (f64::from(table.wavelengths[0]), f64::from(table.step()));
         let power = |nm: u16| {
@@ -34,11 +34,11 @@ impl Locus {
         let [x, y, z] = [&cmf.columns[0], &cmf.columns[1], &cmf.columns[2]].map(sum);
         let kelvin = self.cct([4.0 * x, 6.0 * y].map(|part| part / (x + 15.0 * y + 3.0 * z)));
         let [x, y] = [x, y].map(|part| part / (x + y + z));
-        format!("; {kelvin:.0} K, x = {x:.4}, y = {y:.4}")
+        format!(" with a CCT of {kelvin:.0} K (x = {x:.4}, y = {y:.4}),")
     }
 
-    /// The temperature of the point of the locus next to (u, v): the lowest place of the parabola through the
-    /// squared distances of the nearest three.
+    /// The temperature of the point of the locus nearest to (u, v), where the parabola through the squared
+    /// distances of the nearest three points is lowest.
     fn cct(&self, [u, v]: [f64; 2]) -> f64 {
         let distance = |[_, u0, v0]: [f64; 3]| (u - u0) * (u - u0) + (v - v0) * (v - v0);
         let distances = |three: &[[f64; 3]]| [three[0], three[1], three[2]].map(distance);
@@ -50,7 +50,7 @@ impl Locus {
     }
 }
 
-/// `A, D50, FL1..FL12`: three or more names in a row that count up become a range.
+/// Lists names as in `A, D50, FL1..FL12`, where three or more names in a row that count up become a range.
 pub fn in_brief(names: &[String]) -> String {
     let counted = |name: &str| {
         let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());

@@ -1,31 +1,32 @@
-//! The Planckian locus as a table: knots of a cubic Hermite curve in the CIE 1960 plane.
+//! The Planckian locus as a table of the knots of a cubic Hermite curve in the CIE 1960 plane.
 //!
-//! The parameter k counts knots, and the reciprocal temperature is `FIRST + k (LINEAR + k^2 CUBIC)` mired,
-//! 0.99 to 1000.01 (1 to 1000 with room for rounding): the locus bends most at its hot end. 25 knots are then
-//! good for 0.009 mired over |Duv| <= 0.05, where 31 equally spaced ones are for 0.038.
+//! The parameter k counts knots. The reciprocal temperature is `FIRST + k (LINEAR + k^2 CUBIC)` mired, which
+//! runs from 0.99 to 1000.01 (1 to 1000 with room for rounding). The knots lie closer at the hot end, where
+//! the locus bends most: 25 of them are good for 0.009 mired over |Duv| <= 0.05, where 31 equally spaced ones
+//! are good for 0.038 mired.
 
 use crate::table::Table;
 use std::fmt::Write as _;
 
 pub const KNOTS: u32 = 25;
-/// Second radiation constant of the color temperature scale (ITS-90), in nm K.
+/// The second radiation constant of the scale of color temperatures (ITS-90), in nm K.
 const C2: f64 = 1.4388e7;
 
-/// The numbers are f32: the same here and where the table is read.
+/// These numbers are f32, so that they are the same here and where the table is read.
 const FIRST: f32 = 0.99;
 const LINEAR: f32 = 17.0;
 const CUBIC: f32 = 0.042_753_18;
 
-/// Mired at place `k`, counted in knots, and mired for each knot there.
+/// The reciprocal temperature in mired at the place `k`, counted in knots, and its derivative by `k`.
 fn mired(k: f64) -> (f64, f64) {
     let (first, linear, cubic) = (f64::from(FIRST), f64::from(LINEAR), f64::from(CUBIC));
     (first + k * (linear + cubic * k * k), linear + 3.0 * cubic * k * k)
 }
 
-/// Rust source of `LOCUS: [[f32; 4]; KNOTS]`, rows (u, v, du/dk, dv/du).
+/// The Rust source of `LOCUS: [[f32; 4]; KNOTS]`, whose rows are (u, v, du/dk, dv/du).
 pub fn source(cmf: &Table) -> String {
     let mut text = format!(
-        "/// Mired at knot k: FIRST + k (LINEAR + k^2 CUBIC).\n\
+        "/// The reciprocal temperature at knot k is FIRST + k (LINEAR + k^2 CUBIC) mired.\n\
          const FIRST: f32 = {FIRST:?};\nconst LINEAR: f32 = {LINEAR:?};\nconst CUBIC: f32 = {CUBIC:?};\n\
          /// u, v, du/dk and dv/du at each knot.\n\
          static LOCUS: [[f32; 4]; {KNOTS}] = [\n"
@@ -39,12 +40,12 @@ pub fn source(cmf: &Table) -> String {
     text + "];\n"
 }
 
-/// u, v, du/dm, dv/dm of the black body of reciprocal temperature `mired`.
+/// u, v, du/dm and dv/dm of the black body whose reciprocal temperature m is `mired`.
 pub fn knot(mired: f64, cmf: &Table) -> [f64; 4] {
     let (mut xyz, mut slope) = ([0.0; 3], [0.0; 3]);
     for (row, nm) in cmf.wavelengths.iter().enumerate() {
         let nm = f64::from(*nm);
-        // Planck's law times m, which leaves chromaticity alone and has a limit at m = 0:
+        // Planck's law times m has the same chromaticity and a limit at m = 0:
         // m / (lambda^5 (e^x - 1)) = g(x) / (lambda^5 a), with x = a m and g = x / (e^x - 1).
         let a = C2 * 1e-6 / nm;
         let (g, dg) = bose(a * mired);
@@ -67,15 +68,15 @@ pub fn knot(mired: f64, cmf: &Table) -> [f64; 4] {
 /// x / (e^x - 1) and its derivative.
 pub fn bose(x: f64) -> (f64, f64) {
     if x < 1e-3 {
-        // The series 1 - x/2 + x^2/12 - ..: next terms x^4/720 and x^3/180.
+        // The series is 1 - x/2 + x^2/12 - .., whose next terms are x^4/720 and x^3/180.
         return (1.0 - x / 2.0 + x * x / 12.0, -0.5 + x / 6.0);
     }
     let e = exp(x);
     (x / (e - 1.0), (1.0 - x * e / (e - 1.0)) / (e - 1.0))
 }
 
-/// e^x from the four operations alone: 2^-10 of the argument by its series, squared ten times.
-/// Relative error below 1e-12 for 0 <= x <= 50.
+/// e^x from the four basic operations alone: the series for 2^-10 of the argument, squared ten times. The
+/// relative error is below 1e-12 for 0 <= x <= 50.
 fn exp(x: f64) -> f64 {
     let small = x / 1024.0;
     let mut sum = 1.0;

@@ -1,29 +1,30 @@
-//! The black bodies that color rendering is judged against, as sums of a few spectra: Chebyshev series in the
-//! reciprocal temperature, in two halves of 200 to 1000 mired (5000 to 1000 K).
+//! The black bodies that color rendering is judged against, as sums of a few spectra. They are Chebyshev
+//! series in the reciprocal temperature, one for each of two parts of the range 200 to 1000 mired (5000 to
+//! 1000 K).
 //!
 //! What an eye sees of such a sum is the same sum of what it sees of the few spectra, which the compiler
-//! works out. Nine terms beyond the first leave 3e-7 of the largest of X, Y and Z.
+//! computes. With nine terms beyond the first the error is 3e-7 of the largest of X, Y and Z.
 
 use crate::locus::bose;
 use crate::table::Table;
 use std::fmt::Write as _;
 
-/// Terms of a series.
+/// The number of terms of a series.
 const TERMS: usize = 10;
-/// Middle and half width of the two halves, mired; with room for rounding at the red end.
+/// The middle and the half width of both parts, in mired, with room for rounding at the red end.
 const HALVES: [(f64, f64); 2] = [(350.0, 150.0), (750.5, 250.5)];
 const C2: f64 = 1.4388e7;
 
-/// Rust source of `HALVES` and `BLACK_BODIES: [[[f64; 471]; TERMS]; 2]`, of lights that have Y = 100.
+/// The Rust source of `HALVES` and `BLACK_BODIES: [[[f64; 471]; TERMS]; 2]`, of lights that have Y = 100.
 pub fn source(cmf: &Table) -> String {
     let mut text = format!(
-        "const TERMS: usize = {TERMS};\n/// Middle and half width, mired.\n\
+        "const TERMS: usize = {TERMS};\n/// The middle and the half width of both parts, in mired.\n\
          const HALVES: [(f32, f32); 2] = {HALVES:?};\n\
          static BLACK_BODIES: [[[f64; {}]; TERMS]; 2] = [\n",
         cmf.wavelengths.len()
     );
     for (middle, half) in HALVES {
-        // Through the zeros of the next Chebyshev polynomial.
+        // The series is exact at the zeros of the next Chebyshev polynomial.
         let places = core::array::from_fn::<f64, TERMS, _>(|k| cos((k as f64 + 0.5) / TERMS as f64));
         let lights = places.map(|place| black_body(middle + half * place, cmf));
         text += "    [\n";
@@ -58,7 +59,7 @@ fn black_body(mired: f64, cmf: &Table) -> Vec<f64> {
     light.iter().map(|value| value * 100.0 / y).collect()
 }
 
-/// cos(n arccos x)
+/// The Chebyshev polynomial cos(n arccos x).
 fn chebyshev(n: usize, x: f64) -> f64 {
     let (mut this, mut next) = (1.0, x);
     for _ in 0..n {
@@ -67,7 +68,7 @@ fn chebyshev(n: usize, x: f64) -> f64 {
     this
 }
 
-/// Cosine of `halves` half turns, 0 to 1, by its series.
+/// The cosine of `halves` half turns, 0 to 1, by its series.
 fn cos(halves: f64) -> f64 {
     let angle = std::f64::consts::PI * halves;
     (1..=20).rev().map(f64::from).fold(1.0, |sum, n| 1.0 - angle * angle / (2.0 * n * (2.0 * n - 1.0)) * sum)

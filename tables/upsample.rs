@@ -1,11 +1,12 @@
-//! The constants of the station `upsample`: small tables that `tests/upsample/tables.rs` makes from the
-//! CIE's own, and the curves of Smits. Rows of numbers without wavelengths.
+//! The constants of the module `upsample`: small tables that `tests/upsample/tables.rs` makes from the CIE's
+//! tables, and the curves of Smits. Their rows are numbers without wavelengths.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-/// File, name of the constant, rows, columns taken (from the first on, or after a wavelength), documentation.
+/// The file, the name of the constant, the number of rows and of columns, whether a wavelength comes before
+/// the columns, and the documentation.
 const MATRICES: &[(&str, &str, usize, usize, bool, &str)] = &[
     ("responses", "RESPONSES", 3, 3, false, "Narrow responses as mixtures of x-bar, y-bar, z-bar."),
     ("start_linear", "START_LINEAR", 3, 3, false, "x^2, x, 1 of the curve for each monomial of degree 1."),
@@ -15,7 +16,7 @@ const MATRICES: &[(&str, &str, usize, usize, bool, &str)] = &[
     ("smits1999_10bin", "SMITS", 10, 7, true, "White, cyan, magenta, yellow, red, green, blue in 10 bins."),
 ];
 
-/// Rust source of every table.
+/// The Rust source of every table.
 pub fn source(folder: &Path) -> Result<String, String> {
     let mut text = String::new();
     for (file, name, rows, columns, wavelengths, docs) in MATRICES {
@@ -23,7 +24,7 @@ pub fn source(folder: &Path) -> Result<String, String> {
         let table = read(&path, *columns, *wavelengths)?;
         if table.len() != *rows {
             return Err(format!(
-                "{}: {} rows, must be {rows}; restore the file",
+                "{}: the file has {} rows where it must have {rows}; restore it from the repository",
                 path.display(),
                 table.len()
             ));
@@ -38,18 +39,20 @@ pub fn source(folder: &Path) -> Result<String, String> {
 }
 
 fn read(path: &Path, columns: usize, wavelengths: bool) -> Result<Vec<Vec<f32>>, String> {
-    let text = fs::read_to_string(path)
-        .map_err(|e| format!("{}: {e}; restore the file from the repository", path.display()))?;
+    let text = fs::read_to_string(path).map_err(|e| {
+        format!("{}: the file cannot be read ({e}); restore it from the repository", path.display())
+    })?;
     let mut rows = Vec::new();
     let lines = text.lines().enumerate().filter(|(_, line)| !line.starts_with('#'));
     // The first line is the heading.
     for (index, line) in lines.skip(1) {
-        let at = |what: &str| format!("{}:{}: {what}; restore the file", path.display(), index + 1);
+        let place = format!("{}:{}", path.display(), index + 1);
+        let at = |what: &str| format!("{place}: {what}; restore the file from the repository");
         let cells: Result<Vec<f32>, _> =
             line.split(',').skip(usize::from(wavelengths)).map(|cell| cell.trim().parse::<f32>()).collect();
-        let cells = cells.map_err(|_| at("a cell is no number"))?;
+        let cells = cells.map_err(|_| at("a cell is not a number"))?;
         if cells.len() != columns || !cells.iter().all(|cell| cell.is_finite()) {
-            return Err(at("not the finite numbers that the heading names"));
+            return Err(at("the row does not have the finite numbers that the heading names"));
         }
         rows.push(cells);
     }

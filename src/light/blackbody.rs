@@ -4,11 +4,12 @@ use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
 
-/// First radiation constant for radiance, 2 h c^2, in W m-2 sr-1 nm-1 (1024 nm)^5 (CODATA 2018).
+/// The first radiation constant for radiance, 2 h c^2, in W m-2 sr-1 nm-1 (1024 nm)^5 (CODATA 2018).
 const C1_1024: f32 = 105_785.87;
-/// Second radiation constant, h c / k, in nm K (CODATA 2018; the exact number is 0.22 less).
+/// The second radiation constant, h c / k, in nm K (CODATA 2018; the exact number is 0.22 less).
 const C2_NM: f32 = 14_387_769.0;
-/// The value that color temperatures are defined with (ITS-90), in nm K: 1.6e-5 higher.
+/// The second radiation constant by which color temperatures are defined (ITS-90), in nm K; it is 1.6e-5
+/// higher, relative.
 #[cfg(feature = "libm")]
 pub(crate) const C2_COLOR_NM: f32 = 14_388_000.0;
 /// Stefan's constant, W m-2 K-4.
@@ -16,13 +17,15 @@ const SIGMA: f32 = 5.670_374_4e-8;
 /// Wien's displacement constant, nm K.
 const WIEN_NM_K: f32 = 2_897_771.955;
 
-/// Spectral radiance of a black body of temperature `kelvin` at `nm` (vacuum), in W m-2 sr-1 nm-1.
+/// Returns the spectral radiance of a black body at a vacuum wavelength `nm`, in W m-2 sr-1 nm-1.
 ///
-/// By today's constants; [`cct`](crate::color::Uv1960::cct) of it therefore reads 1.6e-5 above `kelvin`.
+/// Its temperature is `kelvin`, in K. The constants are those of CODATA 2018, with which
+/// [`cct`](crate::color::Uv1960::cct) reads 1.6e-5 above `kelvin`, because color temperatures are defined by
+/// an older constant.
 ///
 /// # Accuracy
-/// (3 x + 8) units of 2^-24, where x = hc / (lambda k T): what the rounding of `nm` and `kelvin` costs
-/// anyway. Below 1e-38 it is 0.
+/// (3 x + 8) units of 2^-24, where x = hc / (lambda k T), which is what the rounding of `nm` and `kelvin`
+/// costs anyway. A radiance below 1e-38 is returned as 0.
 ///
 /// # Reference
 /// CODATA 2018.
@@ -38,19 +41,26 @@ pub fn blackbody(nm: f32, kelvin: f32) -> f32 {
     blackbody_with::<Portable>(nm, kelvin)
 }
 
-/// [`blackbody`] on another math backend.
+/// Returns the spectral radiance of a black body as [`blackbody`] does, computed by the math backend
+/// `M`.
+///
+/// ```
+/// # use nanospectra::{light::blackbody_with, math::Fast};
+/// // The sun's surface at the peak of vision: 25.6 kW m-2 sr-1 nm-1.
+/// assert!((blackbody_with::<Fast>(555.0, 5772.0) / 1e3 - 25.63).abs() < 0.01);
+/// ```
 #[must_use]
 pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
-    // Units of 1024 nm: near the micrometer the fifth power stays in range from gamma rays to radio, and
-    // a power of two costs no rounding, which would count five times.
+    // In units of 1024 nm, near the micrometer, the fifth power stays in range from gamma rays to radio. A
+    // unit that is a power of two causes no rounding, which would count five times.
     let length = nm * (1.0 / 1024.0);
     let x = C2_NM / (nm * kelvin);
     let scale = C1_1024 / (length * length * length * length * length);
     if x > 80.0 {
-        // e^x overflows at 88.7: two halves reach down to 1e-38.
+        // e^x overflows at 88.7. Two factors, each with half the exponent, reach down to 1e-38.
         let half = M::exp(-0.5 * x);
         if half == 0.0 {
-            // Beyond gamma rays `scale` is infinite.
+            // For wavelengths shorter than gamma rays `scale` is infinite.
             return 0.0;
         }
         let value = scale * half * half;
@@ -59,41 +69,65 @@ pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
     scale / M::expm1(x)
 }
 
-/// The radiance at `nm` over that at 560 nm: the shape of a black body, also where both are too
-/// small for f32.
+/// Returns the radiance of a black body at `nm` relative to that at 560 nm.
+///
+/// This is the shape of the spectrum of a black body of the temperature `kelvin`, also where both radiances
+/// are too small for f32.
+///
+/// ```
+/// use nanospectra::light::{A, blackbody_relative};
+///
+/// // Illuminant A is the black body of 2856 K, in the constants of its time.
+/// let at_700_nm = A.values()[700 - 300] / A.values()[560 - 300];
+/// assert!((blackbody_relative(700.0, 2856.0) / at_700_nm - 1.0).abs() < 1e-3);
+/// ```
 ///
 /// # Accuracy
-/// (4 |dx| + 12) units of 2^-24 with dx the difference of hc / (lambda k T) to 560 nm; 0 or infinite
-/// where the ratio itself is beyond f32 (some K).
+/// (4 |dx| + 12) units of 2^-24, where dx is the difference of hc / (lambda k T) to its value at 560 nm. The
+/// result is 0 or infinite where the ratio itself is beyond f32, which happens at temperatures of some K.
 #[cfg(feature = "libm")]
 #[must_use]
 pub fn blackbody_relative(nm: f32, kelvin: f32) -> f32 {
     relative::<Portable>(nm, kelvin, C2_NM)
 }
 
-/// [`blackbody_relative`] on another math backend.
+/// Returns the relative radiance of a black body as [`blackbody_relative`] does, computed by the math backend
+/// `M`. See the [example](blackbody_with) of `blackbody_with`.
 #[must_use]
 pub fn blackbody_relative_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
     relative::<M>(nm, kelvin, C2_NM)
 }
 
-/// As [`blackbody_relative`], with the second radiation constant in nm K.
+/// Computes as [`blackbody_relative`] does, with another second radiation constant, in nm K.
 pub(crate) fn relative<M: Math>(nm: f32, kelvin: f32, c2_nm: f32) -> f32 {
     let ratio = 560.0 / nm;
     let (x, x560) = (c2_nm / (nm * kelvin), c2_nm / (560.0 * kelvin));
     let dx = c2_nm / 560.0 * (nm - 560.0) / (nm * kelvin);
-    // B(x) = l^-5 e^-x / (1 - e^-x), and the quotient of the exponentials is e^dx.
+    // B = l^-5 e^-x / (1 - e^-x), and the quotient of the two exponentials e^-x is e^dx.
     ratio * ratio * ratio * ratio * ratio * (M::expm1(-x560) / M::expm1(-x)) * M::exp(dx)
 }
 
-/// Radiant exitance of a black body, sigma T^4, in W/m2.
+/// Returns the radiant exitance of a black body of the temperature `kelvin`, sigma T^4, in W/m2.
+///
+/// ```
+/// # use nanospectra::light::blackbody_exitance;
+/// // The sun's surface: 62.9 MW/m2.
+/// assert!((blackbody_exitance(5772.0) / 1e6 - 62.94).abs() < 0.01);
+/// ```
 #[must_use]
 pub fn blackbody_exitance(kelvin: f32) -> f32 {
     let square = kelvin * kelvin;
     SIGMA * square * square
 }
 
-/// The wavelength at which a black body radiates most per nm, in nm (Wien): 501.9 nm for the sun.
+/// Returns the wavelength at which a black body of the temperature `kelvin` radiates most per nm, in nm.
+///
+/// This is Wien's displacement law, by which the peak of the sun lies at 502 nm.
+///
+/// ```
+/// # use nanospectra::light::blackbody_peak_nm;
+/// assert!((blackbody_peak_nm(5772.0) - 502.0).abs() < 0.1);
+/// ```
 #[must_use]
 pub fn blackbody_peak_nm(kelvin: f32) -> f32 {
     WIEN_NM_K / kelvin

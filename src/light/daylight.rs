@@ -5,10 +5,12 @@ use crate::light::{S0, S1, S2};
 use crate::spectrum::{Power, Spectrum};
 use crate::tristimulus::Xy;
 
-/// A daylight spectrum on the grid of its components, 5 nm steps over 300..=830 nm.
+/// A daylight spectrum, which lies on the grid of its components: 300..=830 nm in steps of 5 nm. See the
+/// [example](daylight).
 pub type Daylight = Spectrum<Power, 107, Nodes<300, 830>>;
 
-/// The chromaticity of CIE daylight of temperature `cct_k`, 4000..=25000 K; `None` outside.
+/// Returns the chromaticity of CIE daylight whose correlated color temperature is `cct_k`, in K, or `None`
+/// outside 4000..=25000 K.
 ///
 /// # Reference
 /// CIE 15:2018, equations 3.3 to 3.5.
@@ -24,13 +26,25 @@ pub fn daylight_xy(cct_k: f32) -> Option<Xy> {
     (4000.0..=25000.0).contains(&cct_k).then(|| locus(cct_k))
 }
 
-/// The spectrum of CIE daylight of temperature `cct_k`, 4000..=25000 K, 100 at 560 nm; `None`
-/// outside that range.
+/// Returns the spectrum of CIE daylight whose correlated color temperature is `cct_k`, in K, or `None`
+/// outside 4000..=25000 K.
 ///
-/// M1 and M2 are not rounded to three decimals, as the tables of D50, D55, D65 and D75 once were.
+/// The spectrum is 100 at 560 nm. The factors M1 and M2 are not rounded to three decimals, as those of the
+/// tables of D50, D55, D65 and D75 once were.
+///
+/// ```
+/// use nanospectra::light::{D50, daylight};
+///
+/// // D50 has a nominal temperature of 5000 K; with today's second radiation constant that is 5003 K.
+/// let d50 = daylight(5003.0).ok_or("out of range")?;
+/// let at_600_nm = (d50.values()[(600 - 300) / 5], D50.values()[600 - 300]);
+/// assert!((at_600_nm.0 - at_600_nm.1).abs() < 0.1);
+/// assert!(daylight(3000.0).is_none());
+/// # Ok::<(), &str>(())
+/// ```
 ///
 /// # Reference
-/// CIE 15:2018, 3.1: S0 + M1 S1 + M2 S2; between the 5 nm nodes linear.
+/// CIE 15:2018, 3.1: S0 + M1 S1 + M2 S2, linear between the 5 nm nodes.
 #[must_use]
 pub fn daylight(cct_k: f32) -> Option<Daylight> {
     (4000.0..=25000.0).contains(&cct_k).then(|| spectrum(cct_k))
@@ -46,13 +60,13 @@ fn locus(cct_k: f32) -> Xy {
     Xy { x, y: -0.275 + x * (2.870 - 3.000 * x) }
 }
 
-/// As [`daylight`], at any temperature: references above 25000 K follow the same formula.
+/// Computes as [`daylight`] does, but at any temperature: references above 25000 K follow the same formula.
 pub(crate) fn spectrum(cct_k: f32) -> Daylight {
     let [m1, m2] = factors(cct_k);
     S0 + S1 * m1 + S2 * m2
 }
 
-/// M1 and M2, the shares of S1 and S2.
+/// M1 and M2, the factors of S1 and S2.
 pub(crate) fn factors(cct_k: f32) -> [f32; 2] {
     let Xy { x, y } = locus(cct_k);
     let m = 0.0241 + 0.2562 * x - 0.7341 * y;

@@ -1,15 +1,28 @@
-//! Complex numbers: a field's amplitude and phase, an index that absorbs.
+//! Complex numbers, for the amplitude and phase of a field and for the refractive index of matter that
+//! absorbs.
 
 use crate::math::sqrt;
 use core::ops::{Add, Mul, Sub};
 
-/// A complex number: the amplitude of a field, and its phase.
+/// A complex number, which describes the amplitude and the phase of an electric field.
+///
+/// # Example
+/// ```
+/// use nanospectra::math::Complex;
+///
+/// let field = Complex { re: 3.0, im: 4.0 };
+/// assert_eq!(field.power(), 25.0);
+/// // A quarter of a period later: times i.
+/// assert_eq!(field * Complex { re: 0.0, im: 1.0 }, Complex { re: -4.0, im: 3.0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Complex {
-    /// The real part.
+    /// The real part, which is the absolute value times the cosine of the phase. See the
+    /// [example](Complex#example).
     pub re: f32,
-    /// The imaginary part.
+    /// The imaginary part, which is the absolute value times the sine of the phase. See the
+    /// [example](Complex#example).
     pub im: f32,
 }
 
@@ -18,7 +31,8 @@ impl Complex {
         Complex { re, im }
     }
 
-    /// The square of its size.
+    /// Returns the square of the absolute value, which is the power of a field. See the
+    /// [example](Complex#example).
     #[must_use]
     pub const fn power(self) -> f32 {
         self.re * self.re + self.im * self.im
@@ -36,7 +50,7 @@ impl Complex {
         (self * Complex { re: other.re, im: -other.im }).times(1.0 / other.power())
     }
 
-    /// 1 over this, for sizes whose square f32 cannot hold too.
+    /// 1 over this number, also where the square of its absolute value is beyond f32.
     pub(crate) fn inverse(self) -> Self {
         let size = self.re.abs().max(self.im.abs());
         let (re, im) = (self.re / size, self.im / size);
@@ -44,8 +58,8 @@ impl Complex {
         Complex { re: re / square / size, im: -im / square / size }
     }
 
-    /// The root with a real and an imaginary part of zero or more, of a number whose imaginary part is;
-    /// without cancellation.
+    /// The square root of a number whose imaginary part is zero or more, without cancellation. Both parts of
+    /// the root are zero or more.
     pub(crate) fn sqrt(self) -> Self {
         let size = self.re.abs().max(self.im.abs());
         if size == 0.0 {

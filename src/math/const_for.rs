@@ -1,7 +1,7 @@
-//! A loop for `const fn`, in which Rust has no `for` yet.
+//! A loop for `const fn`, where Rust has no `for` yet.
 
-/// `const_for!(0..N, |k| body)`: the body for each `k` of the range. It stands in the function and not in a
-/// closure.
+/// Evaluates the body of `const_for!(0..N, |k| body)` for each `k` of the range. The body is not a closure:
+/// it is part of the function that it stands in.
 macro_rules! const_for {
     ($range:expr, |$k:ident| $body:expr) => {{
         let core::ops::Range { start: mut $k, end } = $range;

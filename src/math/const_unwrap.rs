@@ -1,9 +1,10 @@
-//! Results in statics.
+//! A macro to unwrap results in statics.
 
-/// The value of a `Result` in a `static` or `const`; an error ends the build with its message.
+/// Returns the value of a `Result` in a `static` or `const`, where an error stops the build with its message.
 ///
-/// It takes every error with a `message`: those of all constructors that are `const fn`, as
-/// [`FitError::message`](crate::sensor::FitError::message).
+/// It takes every error type that has a method `message`, such as
+/// [`FitError::message`](crate::sensor::FitError::message). The errors of all constructors that are
+/// `const fn` have one.
 ///
 /// ```
 /// use nanospectra::const_unwrap;

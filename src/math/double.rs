@@ -1,10 +1,10 @@
-//! Numbers of 48 bits as the sum of two f32: for the phase of light in a film of 400 000 wavelengths, of
-//! which only the fraction of a turn is seen.
+//! Numbers of 48 bits as the sum of two f32. They hold the phase of light in a film as thick as 400 000
+//! wavelengths, of which only the fraction of a turn matters.
 
 use crate::math::sqrt;
 use crate::math::turns::fraction;
 
-/// `high + low`, where `low` is below half a unit in the last place of `high`.
+/// The number `high + low`, where `low` is below half a unit in the last place of `high`.
 #[derive(Clone, Copy)]
 pub(crate) struct Double {
     pub(crate) high: f32,
@@ -60,13 +60,13 @@ impl Double {
         Self::sum(root, rest / (root + root))
     }
 
-    /// What the nearest whole number leaves, -1/2..=1/2; exact but for the last rounding.
+    /// The difference to the nearest whole number, -1/2..=1/2, exact but for the last rounding.
     pub(crate) fn fraction(self) -> f32 {
         fraction(fraction(self.high) + fraction(self.low))
     }
 }
 
-/// A number of 24 bits as one of 12 and the rest.
+/// Splits a number of 24 bits into one of 12 bits and the rest.
 const fn halves(x: f32) -> [f32; 2] {
     let head = f32::from_bits(x.to_bits() & 0xffff_f000);
     [head, x - head]

@@ -1,10 +1,12 @@
-//! Own kernels in f32 without tables: the backend that needs no feature.
+//! The backend that needs no feature: kernels of this crate, in f32 and without tables.
 
 use crate::math::{Math, cos_turns, sin_turns, sqrt};
 use core::f32::consts::{FRAC_PI_2, LN_2, LOG2_E, PI};
 
-/// Own f32 kernels, for a core that pays for every instruction; available without any feature, and the same
-/// bits on every target.
+/// Computes all functions by f32 kernels of this crate that need few instructions.
+///
+/// This backend is meant for small processors. It needs no feature, and its results have the same bits on
+/// every target. See the [example](crate::math#example).
 ///
 /// # Accuracy
 /// Relative, for every f32 of the domain (`tests/spectrum/every_f32.rs`): the square root half a unit in the
@@ -16,10 +18,11 @@ use core::f32::consts::{FRAC_PI_2, LN_2, LOG2_E, PI};
 /// 58, cosine 32, sine 46 (`examples/firmware/src/bin/backends.rs`).
 ///
 /// # Domain
-/// NaN gives NaN, except `powf(NaN, 0)`, which is 1 as everywhere. Overflow gives infinity, underflow what a
-/// subnormal can hold, then 0. `ln(0)` is -inf, `ln` and `powf` of a negative number are NaN. `atan2` tells
-/// the zeros apart as IEEE 754 does. Three ends are left open for speed: the cube root of an infinity is NaN,
-/// those of subnormals are within 2.3e-13 absolute only, and `powf` wants a finite exponent.
+/// NaN gives NaN, except in `powf(NaN, 0)`, which is 1 as in IEEE 754. Overflow gives infinity; underflow
+/// gives subnormals, and then 0. `ln(0)` is -inf, and `ln` and `powf` of a negative number are NaN. `atan2`
+/// tells the zeros apart as IEEE 754 does. For the sake of speed there are three limits: the cube root of an
+/// infinity is NaN, cube roots of subnormals are within 2.3e-13 absolute only, and the exponent of `powf`
+/// must be finite.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fast;
 
@@ -30,15 +33,16 @@ impl Math for Fast {
     }
 
     fn cbrt(x: f32) -> f32 {
-        // 1 / cbrt(x) to 4 %, with the sign: minus a third of the exponent. The constants are what one
-        // instruction can hold.
+        // Minus a third of the exponent gives 1 / cbrt(x) to 4 %, with the sign. The constants are such that
+        // one instruction can hold them.
         let bits = x.to_bits();
         let third = ((u64::from(bits & 0x7fff_ffff) * 0x5555_5555) >> 32) as u32;
         let guess = f32::from_bits(0x5480_0000_u32.wrapping_sub(third) | (bits & 0x8000_0000));
-        // What the guess lacks, by the best parabola in x * guess^3: to 7e-5.
+        // The best parabola in x * guess^3 corrects the guess, to 7e-5.
         let cube = x * guess * guess * guess;
         let inverse = guess * (1.884_770_9 - cube * (1.672_421_5 - cube * 0.845_072_8));
-        // cbrt(x) = x * inverse^2, and Newton's step; its 2/3 is where the roundings meet best.
+        // Newton's step improves cbrt(x) = x * inverse^2. The factor near 2/3 is the one for which rounding
+        // errors are smallest.
         let root = x * inverse * inverse;
         root + root * 0.666_664_3 * (1.0 - root * inverse)
     }
@@ -79,7 +83,7 @@ impl Math for Fast {
     fn atan2(y: f32, x: f32) -> f32 {
         let steep = y.abs() > x.abs();
         let (small, large) = if steep { (x.abs(), y.abs()) } else { (y.abs(), x.abs()) };
-        // Two zeros are as one number over infinity, two infinities as 1.
+        // Two zeros have the ratio 0, and two infinities the ratio 1.
         let ratio = if small != large {
             small / large
         } else if large == 0.0 {
@@ -108,42 +112,44 @@ impl Math for Fast {
     }
 }
 
-/// 1.5 * 2^23: next to it an f32 has no fraction, and its low bits count up and down like an integer's.
+/// 1.5 * 2^23. Numbers near it have no fraction in f32, and their low bits count up and down like an
+/// integer's.
 const WHOLE: f32 = 12_582_912.0;
 
-/// Powers of two up to this are normal, and so is what is within root 2 of them.
+/// 2 to the power of -126..=126 is normal, and so are numbers within a factor of root 2 of it.
 const NORMAL: f32 = 126.0;
 
-/// x in doublings (x / ln 2), and what their nearest whole number leaves of x: within 0.35.
+/// x in doublings, which is x / ln 2, and what remains of x without the nearest whole number of them: within
+/// 0.35.
 fn split(x: f32) -> (f32, f32) {
     let doublings = x * LOG2_E;
     let n = doublings + WHOLE - WHOLE;
-    // 355/512 has nine bits: n times it is exact, and so is the difference.
+    // 355/512 has nine bits, so n times it is exact, and so is the difference.
     (doublings, x - n * 0.693_359_375 + n * 2.121_944_4e-4)
 }
 
-/// exp(x) - 1 for |x| < 0.35, to 3e-9 of exp(x).
+/// exp(x) - 1 for |x| < 0.35, with an error of 3e-9 of exp(x).
 fn growth(x: f32) -> f32 {
     let series = 0.041_668_39 + x * (0.008_368_75 + x * 0.001_381_45);
     x + x * x * (0.499_999_93 + x * (0.166_665_2 + x * series))
 }
 
-/// x * 2^n where n is the nearest whole number of `doublings`; x is within root 2 of 1.
+/// x * 2^n, where n is the nearest whole number of `doublings` and x is within a factor of root 2 of 1.
 fn doubled(x: f32, doublings: f32) -> f32 {
     if doublings.abs() < NORMAL { raised(x, doublings + WHOLE) } else { far_doubled(x, doublings) }
 }
 
-/// x * 2^n for a normal result; `counter` is n + [`WHOLE`].
+/// x * 2^n where the result is normal; `counter` is n + [`WHOLE`].
 fn raised(x: f32, counter: f32) -> f32 {
     f32::from_bits(x.to_bits().wrapping_add(counter.to_bits() << 23))
 }
 
-/// [`doubled`] where the result may be infinite, subnormal, zero or NaN.
+/// Computes as [`doubled`] does where the result may be infinite, subnormal, zero or NaN.
 #[cold]
 #[inline(never)]
 fn far_doubled(x: f32, doublings: f32) -> f32 {
     if doublings.abs() < 160.0 {
-        // In two steps, so that no factor overflows; only the second one rounds.
+        // With two factors neither of them overflows, and only the second product is rounded.
         let half = 0.5 * doublings + WHOLE;
         let rest = doublings + WHOLE - (half - WHOLE);
         x * raised(1.0, half) * raised(1.0, rest)
@@ -156,17 +162,17 @@ fn far_doubled(x: f32, doublings: f32) -> f32 {
     }
 }
 
-/// Above zero, not subnormal, not infinite, not NaN.
+/// Whether a number is above zero, and neither subnormal nor infinite nor NaN.
 fn is_normal(x: f32) -> bool {
     x.to_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
 }
 
-/// x = m * 2^e with m from root 1/2 to root 2: e and ln(m), for a normal x > 0.
+/// e and ln(m) for a normal x = m * 2^e > 0, with m from root 1/2 to root 2.
 fn exponent_and_ln(x: f32) -> (f32, f32) {
     let bits = x.to_bits();
     let exponent = bits.wrapping_sub(0x3f35_04f3) & 0xff80_0000;
     let f = f32::from_bits(bits.wrapping_sub(exponent)) - 1.0;
-    // ln(1 + f) = 2 atanh(s), and 2 s = f - s f: an error of s counts only by the size of f.
+    // ln(1 + f) = 2 atanh(s) and 2 s = f - s f, so an error of s counts only in proportion to f.
     let s = f / (2.0 + f);
     let t = s * s;
     let series = t * (0.666_667_77 + t * (0.399_774_8 + t * 0.298_735));
@@ -182,7 +188,7 @@ fn subnormal_exponent_and_ln(x: f32) -> (f32, f32) {
 
 /// (2^exponent e^ln)^y.
 fn power((exponent, ln): (f32, f32), y: f32) -> f32 {
-    // Twelve bits of y times the exponent are exact, and the whole part can go without loss.
+    // Twelve bits of y times the exponent are exact, so the whole part can be subtracted without loss.
     let head = f32::from_bits(y.to_bits() & 0xffff_f000);
     let tail = y - head;
     let doublings = y * exponent + y * ln * LOG2_E;
@@ -191,7 +197,7 @@ fn power((exponent, ln): (f32, f32), y: f32) -> f32 {
     doubled(1.0 + growth(rest), doublings)
 }
 
-/// The powers of numbers that are not normal: 0, infinity, NaN, negative and subnormal ones.
+/// Powers of numbers that are not positive normal numbers: 0, infinity, NaN, negative and subnormal ones.
 #[cold]
 #[inline(never)]
 fn power_of_the_rest(x: f32, y: f32) -> f32 {

@@ -1,16 +1,28 @@
-//! Backends on the `libm` crate: [`Portable`], the default, and [`Libm`], the reference.
+//! The backends that use the `libm` crate: [`Portable`], which is the default, and [`Libm`], the reference.
 
 use crate::math::{Math, cbrt, sqrt};
 
-/// The default backend: the same bits on every target, and no soft f64 on a core that has an
-/// FPU for f32 only.
+/// Computes all functions in f32, with the same bits on every target; this is the default backend.
 ///
-/// `libm` where it computes in f32 (exp, expm1, ln, pow, atan2), own kernels elsewhere.
+/// It takes exp, expm1, ln, pow and atan2 from the crate `libm`, which computes them in f32, and the other
+/// functions from kernels of this crate. Therefore it needs no emulated f64 on a processor whose FPU has f32
+/// only.
+///
+/// # Example
+/// ```
+/// use nanospectra::math::{Math, Portable};
+///
+/// assert!((Portable::exp(1.0) - core::f32::consts::E).abs() < 3e-7);
+/// assert!((Portable::powf(2.0, 0.5) - core::f32::consts::SQRT_2).abs() < 2e-7);
+/// assert_eq!(Portable::atan2(1.0, 0.0), core::f32::consts::FRAC_PI_2);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Portable;
 
-/// Every function from `libm`, the reference to compare with: sine, cosine and cube root run
-/// in f64 there, which takes from 1620 (cube root) to 2090 (sine) instructions on a Cortex-M4F.
+/// Takes every function from the crate `libm`, as a reference to compare other backends with.
+///
+/// Sine, cosine and the cube root are computed in f64 there, which takes from 1620 (cube root) to 2090 (sine)
+/// instructions on a Cortex-M4F. See the [example](Portable#example) of `Portable`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Libm;
 

@@ -1,11 +1,11 @@
-//! The larger and the smaller of two numbers, where NaN stays NaN.
+//! Limits below and above a number, where NaN stays NaN.
 
-/// `x`, or `floor` if it is less; NaN stays.
+/// Returns `x`, or `floor` if `x` is less; NaN stays NaN.
 pub(crate) fn at_least(x: f32, floor: f32) -> f32 {
     if x < floor { floor } else { x }
 }
 
-/// `x`, or `ceiling` if it is more; NaN stays.
+/// Returns `x`, or `ceiling` if `x` is more; NaN stays NaN.
 pub(crate) fn at_most(x: f32, ceiling: f32) -> f32 {
     if x > ceiling { ceiling } else { x }
 }

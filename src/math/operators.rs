@@ -1,6 +1,6 @@
-//! Families of operators, each from one formula, so that values and references compute alike.
+//! Macros that make families of operators from one formula, so that values and references compute alike.
 
-/// A binary operator by a formula of two references: `a + b`, `a + &b`, `&a + b` and `&a + &b`.
+/// Makes a binary operator from a formula of two references: `a + b`, `a + &b`, `&a + b` and `&a + &b`.
 macro_rules! operator {
     ([$($of:tt)*] $op:ident $method:ident |$x:ident: $a:ty, $y:ident: $b:ty| -> $out:ty $formula:block) => {
         impl<$($of)*> core::ops::$op<$b> for $a {
@@ -42,7 +42,8 @@ macro_rules! operator {
 }
 pub(crate) use operator;
 
-/// A binary operator whose result is of the type on the left, and the assigning one: `a += b`, `a += &b`.
+/// Makes a binary operator whose result has the type on the left, and its assigning form: `a += b`,
+/// `a += &b`.
 macro_rules! assigning_operator {
     ([$($of:tt)*] $op:ident $method:ident $assign:ident $assign_method:ident
      |$x:ident: $a:ty, $y:ident: $b:ty| $formula:block) => {
@@ -67,8 +68,8 @@ macro_rules! assigning_operator {
 }
 pub(crate) use assigning_operator;
 
-/// What numbers of one kind can do: `+ -`, times and over plain numbers, unary minus, the assigning forms,
-/// and sums.
+/// Makes the operators of a linear space: `+` and `-`, products with and quotients by plain numbers, unary
+/// minus, the assigning forms, and sums of iterators.
 macro_rules! linear_operators {
     ([$($of:tt)*] $type:ty, $zero:expr;
      |$x:ident, $y:ident| $add:block $sub:block $times:block $over:block $minus:block) => {

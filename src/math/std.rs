@@ -1,11 +1,21 @@
-//! The platform's own functions: fast on a host, but not the same bits on every one. (The feature
-//! `std` is empty where there is no std.)
+//! The functions of the platform's standard library, which are fast but do not have the same bits on every
+//! platform. (The feature `std` does nothing on targets that have no standard library.)
 
 use crate::math::{Math, cos_turns, sin_turns};
 
 extern crate std;
 
-/// The standard library's functions (hosts only).
+/// Takes most functions from the standard library of a host, where they are fast.
+///
+/// The results do not have the same bits on every host; sine and cosine are those of this crate. This backend
+/// needs the feature `std`.
+///
+/// # Example
+/// ```
+/// use nanospectra::math::{Math, Std};
+///
+/// assert_eq!(Std::powf(2.0, 0.5), 2.0f32.powf(0.5));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Std;
 

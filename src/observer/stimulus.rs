@@ -1,9 +1,31 @@
-//! What an observer looks at.
+//! The trait of what an observer can look at.
 
 use crate::spectrum::Spectrum;
 
-/// What an observer of the quantity `Q` in `N` bins of the grid `G` can look at: a spectrum, or light on its
-/// way along a [path](crate::path).
+/// Something that an observer of the quantity `Q` in `N` bins of the grid `G` can look at: a reference to a
+/// spectrum, or light on its way along a [path](crate::path).
+///
+/// [`Observer::sees`](crate::Observer::sees) takes every type that implements this trait. Implement it for
+/// light of your own, whose values are computed when they are read.
+///
+/// # Example
+/// ```
+/// use nanospectra::observer::Stimulus;
+/// use nanospectra::{Bins, Light, Observer, Power};
+///
+/// /// Light that rises by 1 from bin to bin.
+/// struct Ramp;
+///
+/// impl Stimulus<Power, 4, Bins<400, 700>> for Ramp {
+///     fn at(&self, k: usize) -> f32 {
+///         if k < 4 { k as f32 } else { f32::NAN }
+///     }
+/// }
+///
+/// let meter = Observer::<1, 4, Power, Bins<400, 700>>::from_weights([[1.0; 4]]);
+/// assert_eq!(meter.sees(Ramp), [6.0]); // 0 + 1 + 2 + 3
+/// assert_eq!(meter.sees(&Light::flat(1.0)), [4.0]);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no stimulus of `{Q}` in {N} bins of `{G}`",
     label = "not what is read here",
@@ -14,10 +36,13 @@ use crate::spectrum::Spectrum;
             `eye.looking_at_dye(&dye).under(&lamp)`"
 )]
 pub trait Stimulus<Q, const N: usize, G> {
-    /// The value of bin `k`; NaN beyond the last.
+    /// Returns the value of bin `k`, or NaN beyond the last bin. See the [example](Stimulus#example).
     fn at(&self, k: usize) -> f32;
 
-    /// Hands the values of all bins to `reader`: worked out in one pass, or, of a spectrum, where they lie.
+    /// Calls `reader` with the values of all bins, as a spectrum.
+    ///
+    /// The provided method computes them in one pass by [`at`](Self::at). For a reference to a spectrum
+    /// nothing is copied.
     #[inline]
     fn read<R>(&self, reader: impl FnOnce(&Spectrum<Q, N, G>) -> R) -> R {
         let mut all = Spectrum::unchecked([0.0; N]);

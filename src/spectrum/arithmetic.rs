@@ -1,4 +1,4 @@
-//! What spectra can do, bin by bin: lights add, factors weaken them, and what compares two of them is a
+//! Arithmetic of spectra, bin by bin: lights add up, factors weaken them, and a light over a light is a
 //! factor.
 
 use crate::grid::Bands;
@@ -9,7 +9,7 @@ use crate::spectrum::{Factor, Power, Spectrum};
 use core::ops::{Index, IndexMut};
 
 impl<Q, const N: usize, G> Spectrum<Q, N, G> {
-    /// Each bin with that of another, by a function.
+    /// Combines each bin with the same bin of another spectrum by a function.
     #[inline(always)]
     fn zip<P, R>(&self, other: &Spectrum<P, N, G>, f: impl Fn(f32, f32) -> f32) -> Spectrum<R, N, G> {
         let mut values = [0.0; N];
@@ -19,7 +19,7 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
         Spectrum::unchecked(values)
     }
 
-    /// Each bin by a function.
+    /// Applies a function to each bin.
     #[inline(always)]
     pub(super) fn each(&self, f: impl Fn(f32) -> f32) -> Self {
         let mut values = [0.0; N];
@@ -30,14 +30,14 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
     }
 }
 
-// Two lights shining at once, what one has more than the other, as much of it.
+// The sum of two lights that shine at once, their difference, and multiples of a spectrum.
 linear_operators! {
     [Q, const N: usize, G: Bands] Spectrum<Q, N, G>, Spectrum::flat(0.0);
     |a, b| { a.zip(b, |a, b| a + b) } { a.zip(b, |a, b| a - b) }
     { a.each(|a| a * b) } { a.each(|a| a / b) } { a.each(|a| -a) }
 }
 
-// Light through a filter or off a surface, or two filters in a row; and what was there before.
+// Light that passes a filter or leaves a surface, or two filters in a row; division undoes this.
 assigning_operator! {
     [Q, const N: usize, G: Bands] Mul mul MulAssign mul_assign
     |a: Spectrum<Q, N, G>, b: Spectrum<Factor, N, G>| { a.zip(b, |a, b| a * b) }
@@ -50,20 +50,22 @@ operator! {
     [const N: usize, G: Bands] Mul mul
     |a: Spectrum<Factor, N, G>, b: Spectrum<Power, N, G>| -> Spectrum<Power, N, G> { b.zip(a, |b, a| b * a) }
 }
-// What of a light is left.
+// The ratio of two lights, such as behind and before a filter, is a factor.
 operator! {
     [const N: usize, G: Bands] Div div
     |a: Spectrum<Power, N, G>, b: Spectrum<Power, N, G>| -> Spectrum<Factor, N, G> { a.zip(b, |a, b| a / b) }
 }
 
-/// Nothing in every bin.
+/// A spectrum that is zero in every bin.
 impl<Q, const N: usize, G: Bands> Default for Spectrum<Q, N, G> {
     fn default() -> Self {
         Spectrum::flat(0.0)
     }
 }
 
-/// The value of bin `k`. Panics for `k >= N`, as arrays do; [`values`](Spectrum::values)`().get(k)` does not.
+/// The value of bin `k`.
+///
+/// This panics for `k >= N`, as arrays do; [`values`](Spectrum::values)`().get(k)` does not.
 impl<Q, const N: usize, G> Index<usize> for Spectrum<Q, N, G> {
     type Output = f32;
 
@@ -73,7 +75,7 @@ impl<Q, const N: usize, G> Index<usize> for Spectrum<Q, N, G> {
     }
 }
 
-/// The value of bin `k`, to write to; panics as reading does.
+/// The value of bin `k`, to write to. This panics for `k >= N`, as reading does.
 impl<Q, const N: usize, G> IndexMut<usize> for Spectrum<Q, N, G> {
     #[inline]
     fn index_mut(&mut self, k: usize) -> &mut f32 {
@@ -81,9 +83,11 @@ impl<Q, const N: usize, G> IndexMut<usize> for Spectrum<Q, N, G> {
     }
 }
 
-/// Functions of all bins. NaN stays NaN, in its bin.
+/// Functions of all bins. A NaN stays NaN in its bin.
 impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
-    /// Each value held within `low..=high`. (Of crossed limits the upper one holds; nothing panics.)
+    /// Returns this spectrum with each value limited to `low..=high`.
+    ///
+    /// If `low` is above `high`, the result is `high`; nothing panics.
     ///
     /// ```
     /// # use nanospectra::Reflectance;
@@ -96,7 +100,8 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         self.each(|value| at_most(at_least(value, low), high))
     }
 
-    /// The way from this (`t` = 0) to another (`t` = 1) in a straight line, exact at both ends.
+    /// Returns the linear mix of this spectrum (`t` = 0) and another one (`t` = 1), which is exact at both
+    /// ends.
     ///
     /// ```
     /// # use nanospectra::Light;
@@ -108,7 +113,9 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         self.zip(other, |a, b| (1.0 - t) * a + t * b)
     }
 
-    /// The larger value of each bin; NaN where either is. (The largest of all bins is [`peak`](Self::peak).)
+    /// Returns the larger of both values for each bin, and NaN where either value is NaN.
+    ///
+    /// The largest value of all bins is [`peak`](Self::peak).
     ///
     /// ```
     /// # use nanospectra::Light;
@@ -122,14 +129,15 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         self.zip(other, |a, b| if a > b || a.is_nan() { a } else { b })
     }
 
-    /// The smaller value of each bin; NaN where either is.
+    /// Returns the smaller of both values for each bin, and NaN where either value is NaN. See the
+    /// [example](Self::max) of `max`.
     #[must_use]
     #[inline]
     pub fn min(&self, other: &Self) -> Self {
         self.zip(other, |a, b| if a < b || a.is_nan() { a } else { b })
     }
 
-    /// Is it nothing at all? Not where a value is NaN.
+    /// Returns whether every value is zero; a spectrum that holds a NaN is not black.
     ///
     /// ```
     /// # use nanospectra::Light;
@@ -143,7 +151,9 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
 }
 
 impl<const N: usize, G: Bands> Spectrum<Factor, N, G> {
-    /// The square root of each value, correctly rounded: half the thickness of a filter. NaN below 0.
+    /// Returns the correctly rounded square root of each value, and NaN for a value below zero.
+    ///
+    /// The root of a transmittance is that of a filter half as thick.
     ///
     /// ```
     /// # use nanospectra::Reflectance;
@@ -154,7 +164,9 @@ impl<const N: usize, G: Bands> Spectrum<Factor, N, G> {
         self.each(sqrt)
     }
 
-    /// e to each value: the transmittance of a medium is `(-depth).exp()`.
+    /// Returns e to the power of each value.
+    ///
+    /// The transmittance of a medium of optical depth `depth` is `(-depth).exp()`.
     ///
     /// ```
     /// # use nanospectra::Reflectance;
@@ -167,7 +179,13 @@ impl<const N: usize, G: Bands> Spectrum<Factor, N, G> {
         self.exp_with::<Portable>()
     }
 
-    /// [`exp`](Self::exp) on another math backend.
+    /// Returns e to the power of each value, computed by the math backend `M`.
+    ///
+    /// ```
+    /// # use nanospectra::{Reflectance, math::Fast};
+    /// let depth = Reflectance::<16>::flat(1.0);
+    /// assert!(((-depth).exp_with::<Fast>()[0] - 0.367_879_4).abs() < 1e-7);
+    /// ```
     #[must_use]
     pub fn exp_with<M: Math>(&self) -> Self {
         self.each(M::exp)

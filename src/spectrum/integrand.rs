@@ -1,4 +1,4 @@
-//! A spectrum is integrated at every wavelength at once.
+//! Integrals over directions whose integrand is a spectrum: every band is integrated in the same pass.
 
 use crate::geometry::Integrand;
 use crate::grid::Bands;

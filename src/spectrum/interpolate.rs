@@ -1,24 +1,41 @@
-//! From the nodes of one grid to those of another: straight lines, or Sprague's quintic.
+//! Interpolation from the nodes of one grid to those of another, by straight lines or by Sprague's quintic.
 
 use crate::grid::{Grid, Layout};
 use crate::spectrum::{Fine, Outside, Quantity, Spectrum};
 
-/// How to read between samples. The choice moves xy by up to 3.4e-4, so it has a name.
+/// Says how values between samples are read.
+///
+/// The choice moves the chromaticity xy of a lamp by up to 3.4e-4, so it is stated by name.
+///
+/// # Example
+/// ```
+/// use nanospectra::{Fine, Interpolation, Power, light::FL11};
+///
+/// let lines: Fine<Power> = FL11.interpolate(Interpolation::Linear);
+/// let smooth: Fine<Power> = FL11.interpolate(Interpolation::Sprague);
+/// // Both go through the samples, here every 5 nm, and differ between them.
+/// let at = |nm: usize| (lines.values()[nm - 360], smooth.values()[nm - 360]);
+/// assert_eq!(at(545).0, at(545).1);
+/// assert_ne!(at(543).0, at(543).1);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Interpolation {
-    /// Straight lines between samples: what a 5 nm lamp table means, and the reference rule here.
+    /// Joins neighboring samples by straight lines, which is how a lamp's 5 nm table is meant and the
+    /// reference rule of this crate.
     #[default]
     Linear,
-    /// Sprague's fifth-order polynomial (CIE 167:2005) with its boundary formula: smooth, may
-    /// overshoot beside a line; needs six samples at one spacing.
+    /// Draws Sprague's fifth-order polynomial (CIE 167:2005, with its boundary formula) through six samples
+    /// at one spacing. It is smooth, but may overshoot beside a spectral line.
     Sprague,
 }
 
 impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// This spectrum at every nanometer of 360..=830, by straight lines between the centers of its bins: what
-    /// the CIE's sums ask of a table. Beyond its data a light is zero, a factor keeps its end values
-    /// ([`Quantity::OUTSIDE`]).
+    /// Returns this spectrum at every nanometer of 360..=830 nm, interpolated by straight lines between the
+    /// centers of its bins.
+    ///
+    /// The CIE defines tristimulus values as sums on this grid, so this is the first step from a table to
+    /// XYZ. Beyond its data a light is zero, and a factor keeps its end values ([`Quantity::OUTSIDE`]).
     ///
     /// ```
     /// # use nanospectra::{Fine, Power, light::FL11};
@@ -32,10 +49,11 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         self.interpolate(Interpolation::Linear)
     }
 
-    /// Reads this spectrum at the bin centers of another grid; `const`, as [`fine`](Self::fine).
+    /// Reads this spectrum at the bin centers of another grid, at compile time if you like.
     ///
-    /// With fewer than six bands Sprague's interpolation falls back to straight lines. Beyond its data a
-    /// light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
+    /// This suits grids of narrow bins; use [`resample`](Self::resample) to go to wide bins. With fewer than
+    /// six bands Sprague's interpolation falls back to straight lines. Beyond its data a light is zero, and a
+    /// factor keeps its end values ([`Quantity::OUTSIDE`]).
     ///
     /// ```
     /// # use nanospectra::{Fine, Interpolation, Power, light::FL11};
@@ -47,7 +65,15 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         self.interpolate_outside(by, Q::OUTSIDE)
     }
 
-    /// As [`interpolate`](Self::interpolate), where `outside` says what lies beyond the data.
+    /// Interpolates as [`interpolate`](Self::interpolate) does, where `outside` says what lies beyond the
+    /// data.
+    ///
+    /// ```
+    /// # use nanospectra::{Fine, Interpolation, Outside, Power, light::FL11};
+    /// // The table ends at 780 nm; hold its last value to 830 nm.
+    /// let held: Fine<Power> = FL11.interpolate_outside(Interpolation::Linear, Outside::Hold);
+    /// assert_eq!(held.values()[830 - 360], *FL11.values().last().unwrap_or(&0.0));
+    /// ```
     #[must_use]
     pub const fn interpolate_outside<const M: usize, H: Grid>(
         &self,
@@ -65,11 +91,11 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
                 outside.beyond(self.0[N - 1])
             } else {
                 let place = Place::of(nm - first, step, N, by);
-                // (The index is below N; saying so keeps the panic out of an image.)
+                // (The index is below N; this check keeps the code for a panic out of firmware.)
                 let reference = if place.reference < N { self.0[place.reference] } else { 0.0 };
                 let (mut sum, mut j) = (0.0, 0);
                 while j < 6 && place.start + j < N {
-                    // Zero times a NaN is a NaN: what has no weight must not count.
+                    // Zero times NaN is NaN, so a sample without weight must not be added.
                     if place.weights[j] != 0.0 {
                         sum += place.weights[j] * (self.0[place.start + j] - reference);
                     }
@@ -83,10 +109,10 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     }
 }
 
-/// Where a wavelength falls among `n` regular samples, as weights of at most six of them.
+/// The place of a wavelength among `n` regular samples, as weights of at most six of them.
 ///
-/// The value is the sample at `reference` plus the weighted deviations from it: exact on a
-/// sample, and exact for a constant.
+/// The value is the sample at `reference` plus the weighted deviations from it, which is exact on a sample
+/// and for a constant.
 pub(crate) struct Place {
     pub(crate) reference: usize,
     pub(crate) start: usize,
@@ -94,9 +120,9 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// `distance` from the first of `n` samples `step` apart, 0..=(n - 1) * step.
+    /// The place at `distance` from the first of `n` samples that are `step` apart; 0..=(n - 1) * step.
     pub(crate) const fn of(distance: f32, step: f32, n: usize, by: Interpolation) -> Self {
-        // The cell first and the place in it after: both exact on whole nanometers.
+        // Computing first the cell and then the place in it makes both exact on whole nanometers.
         let mut cell = (distance / step) as usize;
         if cell + 2 > n {
             cell = n.saturating_sub(2);
@@ -108,8 +134,8 @@ impl Place {
         }
     }
 
-    /// CIE 167:2005: the quintic over samples `cell - 2 ..= cell + 3`; two beyond each end come
-    /// from the boundary formula, whose weights are added to those of the six samples there.
+    /// The quintic of CIE 167:2005 over samples `cell - 2 ..= cell + 3`. Two samples beyond each end are
+    /// given by the boundary formula, whose weights are added to those of the six samples there.
     const fn sprague(cell: usize, t: f32, n: usize) -> Self {
         let quintic = quintic(t);
         let mut start = cell.saturating_sub(2);

@@ -1,14 +1,15 @@
-//! Spectral lines: lasers and lamps whose power sits at one wavelength.
+//! Spectral lines of lasers and lamps, whose power lies at one wavelength.
 
 use crate::grid::{Bands, Grid, Layout};
 use crate::spectrum::{Power, Spectrum};
 
 impl<const N: usize, G: Bands> Spectrum<Power, N, G> {
-    /// Adds a line of `power` (W, for a spectrum in W/nm) at `nm`, and returns the power that fell
-    /// outside the grid: 0, or all of it, or half.
+    /// Adds a spectral line of `power` at the wavelength `nm`, and returns the power that fell outside the
+    /// grid.
     ///
-    /// A line exactly on the edge between two bins gives half to each, so the order in which
-    /// lines are added does not matter; on an outer edge half is lost.
+    /// `power` is in W for a spectrum in W/nm. A line exactly on the edge between two bins gives half to
+    /// each, so the order in which lines are added does not matter. On an outer edge half of the power is
+    /// lost; outside the grid, or at a NaN, all of it.
     ///
     /// ```
     /// # use nanospectra::Light;
@@ -24,7 +25,7 @@ impl<const N: usize, G: Bands> Spectrum<Power, N, G> {
         if nm.is_nan() {
             return power;
         }
-        // The nearest edge at or below; division may be off by one beside an edge.
+        // Find the nearest edge at or below `nm`. Beside an edge the division may be off by one bin.
         let mut k = ((nm - Layout::<G, N>::START as f32) / Self::WIDTH_NM) as usize;
         if k > 0 && nm < Self::edge_nm(k) {
             k -= 1;

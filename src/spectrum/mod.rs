@@ -1,15 +1,24 @@
-//! A spectrum as N numbers: the type, and the ways to make one.
+//! A spectrum as `N` numbers: the type, what its numbers mean, and the ways to make one.
+
+// The documentation of `Spectrum` lists methods in the order of these modules, so what one calls first stands
+// first. Empty lines keep rustfmt from sorting them.
+mod samples;
+
+mod series;
+
+mod interpolate;
+
+mod resample;
+
+mod lines;
 
 mod arithmetic;
+
+mod integrand;
+mod quantity;
+
 #[cfg(feature = "heapless")]
 mod collect;
-mod integrand;
-mod interpolate;
-mod lines;
-mod quantity;
-mod resample;
-mod samples;
-mod series;
 
 #[cfg(feature = "heapless")]
 pub use collect::{PushError, Samples};

@@ -1,33 +1,43 @@
-//! Measured samples, (wavelength in nm, value), at any spacing, onto a grid.
+//! Spectra from measured samples, (wavelength in nm, value), at any spacing.
 
 use crate::grid::Grid;
 use crate::spectrum::interpolate::{Interpolation, Place};
 use crate::spectrum::{Outside, Quantity, Spectrum};
 use core::fmt;
 
-/// Why samples are not a spectrum. `index` counts samples from 0.
+/// Says why samples are not a spectrum, and names the first sample at fault by its index, counted from 0.
+///
+/// # Example
+/// ```
+/// use nanospectra::{Light, SamplesError};
+///
+/// let unsorted = [(400.0, 1.0), (500.0, 2.0), (450.0, 2.0)];
+/// let error = Light::<16>::from_samples(&unsorted).err();
+/// assert_eq!(error, Some(SamplesError::NotIncreasing { index: 2 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SamplesError {
-    /// Fewer samples than the interpolation needs: 2, or 6 for Sprague's.
+    /// There are fewer samples than the interpolation needs: 2, or 6 for Sprague's.
     TooFew {
-        /// How many are needed.
+        /// How many samples the interpolation needs at least.
         needed: usize,
     },
     /// A wavelength or value is NaN or infinite.
     NotFinite {
-        /// The offending sample.
+        /// The index of the first sample that is not finite.
         index: usize,
     },
-    /// A wavelength is not above the one before it: unsorted, or twice the same.
+    /// A wavelength is not above the one before it, so the samples are unsorted or one stands twice. See the
+    /// [example](SamplesError#example).
     NotIncreasing {
-        /// The offending sample.
+        /// The index of the first sample whose wavelength is not above the one before it.
         index: usize,
     },
-    /// Sprague's interpolation needs one spacing throughout.
+    /// The spacing changes, and Sprague's interpolation needs the same spacing throughout.
     NotRegular {
-        /// The first sample that is more than 1 % of a step off the regular spacing.
+        /// The index of the first sample that is more than 1 % of a step off the regular spacing.
         index: usize,
     },
 }
@@ -50,27 +60,38 @@ impl fmt::Display for SamplesError {
 impl core::error::Error for SamplesError {}
 
 impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// The average over each bin of the straight lines that join the samples: the exact
-    /// integral, whether there are hundreds of samples in a bin or one in ten bins.
+    /// Makes a spectrum from measured samples: joins them by straight lines and averages these over each bin.
     ///
-    /// `samples` are (wavelength in nm, value), in increasing order, at any spacing. Beyond the first and the
-    /// last a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
+    /// `samples` are pairs of (wavelength in nm, value), in increasing order, at any spacing. The integral
+    /// over each bin is exact, whether a bin has hundreds of samples or ten bins have one. Beyond the first
+    /// and the last sample a light is zero, and a factor keeps its end values ([`Quantity::OUTSIDE`]). See
+    /// the [example](Spectrum#example).
     ///
     /// # Accuracy
-    /// A constant comes out as exactly that constant, at every `N`; otherwise within 2e-6 of the
+    /// A constant comes out as exactly that constant, at every `N`. Other spectra are within 2e-6 of the
     /// largest sample (`tests/spectrum/any_spectrum.rs`).
     ///
     /// # Errors
-    /// [`SamplesError`]: fewer than two, not finite, not increasing. Nothing is sorted or dropped.
+    /// [`SamplesError`] if there are fewer than two samples, a number is not finite, or the wavelengths do
+    /// not increase. Nothing is sorted or dropped.
     pub fn from_samples(samples: &[(f32, f32)]) -> Result<Self, SamplesError> {
         Self::from_samples_outside(samples, Q::OUTSIDE)
     }
 
-    /// As [`from_samples`](Self::from_samples), where `outside` says what lies beyond the first and the last
-    /// sample.
+    /// Makes a spectrum from samples as [`from_samples`](Self::from_samples) does, where `outside` says what
+    /// lies beyond the first and the last sample.
+    ///
+    /// ```
+    /// # use nanospectra::{Bins, Light, Outside};
+    /// let two = [(500.0, 1.0), (600.0, 1.0)];
+    /// let held = Light::<3, Bins<400, 700>>::from_samples_outside(&two, Outside::Hold)?;
+    /// assert_eq!(held, Light::flat(1.0));
+    /// assert_eq!(Light::<3, Bins<400, 700>>::from_samples(&two)?.values(), &[0.0, 1.0, 0.0]);
+    /// # Ok::<(), nanospectra::SamplesError>(())
+    /// ```
     ///
     /// # Errors
-    /// [`SamplesError`]: as [`from_samples`](Self::from_samples).
+    /// [`SamplesError`], as for [`from_samples`](Self::from_samples).
     pub fn from_samples_outside(samples: &[(f32, f32)], outside: Outside) -> Result<Self, SamplesError> {
         check(samples)?;
         let mut lines = Lines { samples, outside, next: 0 };
@@ -81,25 +102,34 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
         Ok(Self::from_bins(averages))
     }
 
-    /// The value at the center of each bin, interpolated between samples.
+    /// Returns the value at the center of each bin, interpolated between measured samples.
     ///
-    /// On the [`Fine`](crate::Fine) grid this is the CIE's rule for measured samples:
-    /// interpolate to 1 nm, then sum. (To put samples into wide bins use
-    /// [`from_samples`](Self::from_samples): points miss what lies between them.) Beyond the first and
-    /// the last sample a light is zero, a factor keeps its end values ([`Quantity::OUTSIDE`]).
+    /// On the [`Fine`](crate::Fine) grid this is the CIE's rule for measured samples, which is to interpolate
+    /// to 1 nm and then to sum. For wide bins use [`from_samples`](Self::from_samples), because the values at
+    /// their centers miss what lies between. Beyond the first and the last sample a light is zero, and a
+    /// factor keeps its end values ([`Quantity::OUTSIDE`]).
+    ///
+    /// ```
+    /// # use nanospectra::{Fine, Interpolation, Power};
+    /// let lamp = [(380.0, 0.0), (480.0, 1.0), (780.0, 1.0)];
+    /// let fine = Fine::<Power>::interpolated(&lamp, Interpolation::Linear)?;
+    /// assert_eq!(fine.values()[405 - 360], 0.25);
+    /// # Ok::<(), nanospectra::SamplesError>(())
+    /// ```
     ///
     /// # Errors
-    /// [`SamplesError`]: as [`from_samples`](Self::from_samples); Sprague's interpolation also
-    /// needs six samples at one spacing.
+    /// [`SamplesError`], as for [`from_samples`](Self::from_samples). Sprague's interpolation also needs six
+    /// samples at one spacing.
     pub fn interpolated(samples: &[(f32, f32)], by: Interpolation) -> Result<Self, SamplesError> {
         Self::interpolated_outside(samples, by, Q::OUTSIDE)
     }
 
-    /// As [`interpolated`](Self::interpolated), where `outside` says what lies beyond the first and the last
-    /// sample.
+    /// Interpolates samples as [`interpolated`](Self::interpolated) does, where `outside` says what lies
+    /// beyond the first and the last sample. See the [example](Self::from_samples_outside) of
+    /// `from_samples_outside`.
     ///
     /// # Errors
-    /// [`SamplesError`]: as [`interpolated`](Self::interpolated).
+    /// [`SamplesError`], as for [`interpolated`](Self::interpolated).
     pub fn interpolated_outside(
         samples: &[(f32, f32)],
         by: Interpolation,
@@ -150,7 +180,7 @@ fn check(samples: &[(f32, f32)]) -> Result<(), SamplesError> {
     Ok(())
 }
 
-/// First and last sample; `check` has seen that there are two.
+/// The first and the last sample; `check` has made sure that there are two.
 fn ends(samples: &[(f32, f32)]) -> ((f32, f32), (f32, f32)) {
     match samples {
         [first, .., last] => (*first, *last),
@@ -183,12 +213,12 @@ fn regular(samples: &[(f32, f32)], place: &Place) -> f32 {
 struct Lines<'a> {
     samples: &'a [(f32, f32)],
     outside: Outside,
-    /// The first sample above the wavelength last asked for.
+    /// The index of the first sample above the wavelength that was asked for last.
     next: usize,
 }
 
 impl Lines<'_> {
-    /// The value at `nm`, which must not be below the one asked for before.
+    /// The value at `nm`, which must not be below the wavelength that was asked for before.
     fn at(&mut self, nm: f32) -> f32 {
         while self.samples.get(self.next).is_some_and(|s| s.0 <= nm) {
             self.next += 1;
@@ -196,8 +226,9 @@ impl Lines<'_> {
         self.mean(nm, nm)
     }
 
-    /// The mean over `from..to`, which lie on the straight line that ends at `next`. (At a middle
-    /// wavelength it would be the same, but for its rounding: 1.5e-5 nm, much of a step of 0.05 nm.)
+    /// The mean over `from..to`, which lie on the straight line that ends at `next`. (The value at the middle
+    /// wavelength would be the same, but that wavelength would be rounded by up to 1.5e-5 nm, which counts
+    /// where samples are 0.05 nm apart.)
     fn mean(&self, from: f32, to: f32) -> f32 {
         let below = self.next.checked_sub(1).and_then(|i| self.samples.get(i));
         match (below, self.samples.get(self.next)) {
@@ -205,19 +236,19 @@ impl Lines<'_> {
                 let middle = ((from - a.0) + (to - a.0)) * 0.5;
                 a.1 + (b.1 - a.1) * (middle / (b.0 - a.0))
             }
-            // At the very last sample it is still inside.
+            // The very last sample itself still lies inside.
             (Some(a), None) if a.0 == to => a.1,
             (Some(end), None) | (None, Some(end)) => self.outside.beyond(end.1),
             (None, None) => 0.0,
         }
     }
 
-    /// The average over `low..high`, summed as deviations from the first piece: what is constant
-    /// stays exactly so, and rounding is relative to what varies.
+    /// The average over `low..high`. Deviations from the first piece are summed, so that a constant stays
+    /// exactly constant, and rounding errors are relative to the part that varies.
     fn average(&mut self, low: f32, high: f32) -> f32 {
         let (mut from, mut first, mut sum) = (low, None, 0.0);
         while from < high {
-            // Put `next` above `from`: the piece ends there, or with the bin.
+            // This moves `next` above `from`. The piece ends at that sample, or with the bin.
             self.at(from);
             let to = self.samples.get(self.next).map_or(high, |s| s.0.min(high));
             let mean = self.mean(from, to);

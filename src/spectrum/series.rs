@@ -1,24 +1,43 @@
-//! The one type: N numbers, what they mean, and where they lie.
+//! The type of all spectra: `N` numbers, the quantity that they mean, and the grid on which they lie.
 
 use crate::grid::{Bands, Bins, Grid, Layout, Nodes};
 use crate::spectrum::{Factor, PerBin, Power};
 use core::marker::PhantomData;
 
-/// A spectrum: `N` equal bins that tile the grid `G`, each holding the *average* of the quantity
-/// `Q` over its bin. (Only [`PerBin`] means totals.)
+/// A spectrum of `N` numbers, each of which is the *average* of the quantity `Q` over one of the `N` equal
+/// bins that the grid `G` is divided into.
 ///
-/// With averages power is the plain sum times the bin width, a constant stays exactly that
-/// constant, and a laser line keeps its power at every `N`. (Point samples are the trap: 31
-/// points over 400..700 nm are up to 7 CIEDE2000 off under fluorescent lamps.) On a 1 nm grid of
-/// whole nanometers, as CIE tables are, the numbers are the table's point values.
+/// Make one from measurements by [`from_samples`](Self::from_samples), from numbers that already belong to
+/// the bins by [`from_bins`](Self::from_bins), or take a table of [`light`](crate::light) or
+/// [`matter`](crate::matter). Then an [`Observer`](crate::Observer) turns it into XYZ or into the counts of a
+/// sensor. [`Light`] and [`Reflectance`] are the usual short names of this type, and [`Fine`] that of its 1
+/// nm form.
 ///
-/// `N * 4` bytes, nothing else; `Copy`, but pass it by reference.
+/// # Example
+/// ```
+/// # use nanospectra::Light;
+/// let lamp = [(400.0, 1.0), (500.0, 3.0), (700.0, 1.0)]; // nm, power for each nm
+/// let light = Light::<16>::from_samples(&lamp)?;
+/// // The area under the three points: 100 * 2 + 200 * 2.
+/// assert!((light.power() - 600.0).abs() < 1e-3);
+/// # Ok::<(), nanospectra::SamplesError>(())
+/// ```
+///
+/// # Averages, not points
+/// Because the numbers are averages, the power of a light is their sum times the width of a bin, a constant
+/// stays exactly that constant, and a laser line keeps its power at every `N`. Point samples would lose what
+/// lies between them: 31 points over 400..700 nm are up to 7 CIEDE2000 off under fluorescent lamps. On a 1 nm
+/// grid of whole nanometers, as CIE tables have, the numbers are the table's point values. Only spectra of
+/// [`PerBin`] hold totals.
+///
+/// A spectrum takes `N * 4` bytes. It is `Copy`, but pass it by reference.
 ///
 /// # Operators
-/// Bin by bin, by value, by reference and assigning: `+ -`, times and over numbers and factors, unary minus,
-/// sums; a light over a light is a factor. Over zero a value becomes infinite, and zero NaN, as in f32 (the
-/// quantities of [`radiometry`](crate::radiometry) stay finite). `spectrum[k]` is bin `k`, and panics beyond
-/// the last.
+/// Operators work bin by bin, on values and on references, and have assigning forms. Spectra of one kind can
+/// be added, subtracted, negated and summed; they can be multiplied and divided by numbers and by spectra of
+/// factors; a light divided by a light is a spectrum of factors. Division by zero gives infinity or NaN, as
+/// in f32 (the quantities of [`radiometry`](crate::radiometry) stay finite). `spectrum[k]` is the value of
+/// bin `k` and panics beyond the last bin.
 ///
 /// ```
 /// # use nanospectra::{Light, Reflectance};
@@ -28,25 +47,18 @@ use core::marker::PhantomData;
 /// assert_eq!((both, both / lamp, both[15]), (glass * Light::flat(2.5), Reflectance::flat(0.625), 1.25));
 /// assert_eq!([lamp, -both].iter().sum::<Light<16>>(), Light::flat(0.75));
 /// ```
-///
-/// ```
-/// # use nanospectra::Light;
-/// let lamp = [(400.0, 1.0), (500.0, 3.0), (700.0, 1.0)];
-/// let light = Light::<16>::from_samples(&lamp)?;
-/// // The area under the three points: 100 * 2 + 200 * 2.
-/// assert!((light.power() - 600.0).abs() < 1e-3);
-/// # Ok::<(), nanospectra::SamplesError>(())
-/// ```
 #[repr(transparent)]
 pub struct Spectrum<Q, const N: usize, G = Bins<380, 730>>(pub(crate) [f32; N], PhantomData<(Q, G)>);
 
-/// Power of light for each nanometer.
+/// A spectrum of light, which holds power for each nanometer. See the [example](Spectrum#example).
 pub type Light<const N: usize, G = Bins<380, 730>> = Spectrum<Power, N, G>;
 
-/// Reflectance, transmittance: a share 0..=1 of the light.
+/// A spectrum of matter that reflects or transmits light, which holds factors of 0..=1 for passive matter.
+/// See the [example](Spectrum#operators) of operators.
 pub type Reflectance<const N: usize, G = Bins<380, 730>> = Spectrum<Factor, N, G>;
 
-/// Point values at 360, 361, .. 830 nm: the grid on which CIE sums are defined.
+/// A spectrum that holds point values at 360, 361, .. 830 nm, the grid on which the CIE's sums are defined.
+/// See the [example](Spectrum::fine) of `fine`.
 pub type Fine<Q> = Spectrum<Q, 471, Nodes<360, 830>>;
 
 impl<Q, const N: usize, G> Clone for Spectrum<Q, N, G> {
@@ -77,7 +89,7 @@ impl<Q, const N: usize, G> defmt::Format for Spectrum<Q, N, G> {
 }
 
 impl<Q, const N: usize, G> Spectrum<Q, N, G> {
-    /// In bands that are known to be `N`.
+    /// Makes a spectrum in bands that are known to be `N`.
     #[inline]
     pub(crate) const fn unchecked(values: [f32; N]) -> Self {
         Spectrum(values, PhantomData)
@@ -85,10 +97,16 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
 }
 
 impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
-    /// From numbers that are already averages over the bins (pixels of an instrument, a table on this very
-    /// grid), or red, green and blue.
+    /// Makes a spectrum from numbers that already belong to its bands: averages over the bins, such as pixels
+    /// of an instrument or a table on this very grid, or red, green and blue.
     ///
-    /// The grid is not inferred from the numbers: write `Light::<16>::from_bins(..)`.
+    /// The grid is not inferred from the numbers, so write it down, as in `Light::<16>::from_bins(..)`.
+    ///
+    /// ```
+    /// # use nanospectra::{Bins, Light};
+    /// let light = Light::<3, Bins<400, 700>>::from_bins([1.0, 2.0, 3.0]);
+    /// assert_eq!(light.iter().last(), Some((650.0, 3.0)));
+    /// ```
     #[must_use]
     #[inline]
     pub const fn from_bins(values: [f32; N]) -> Self {
@@ -96,28 +114,39 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         Spectrum(values, PhantomData)
     }
 
-    /// The same value in every bin: an equal-energy light, a gray filter.
+    /// Returns a spectrum that has the same value in every bin, such as an equal-energy light or a gray
+    /// filter.
+    ///
+    /// ```
+    /// # use nanospectra::Reflectance;
+    /// assert_eq!(Reflectance::<16>::flat(0.5).values(), &[0.5; 16]);
+    /// ```
     #[must_use]
     #[inline]
     pub const fn flat(value: f32) -> Self {
         Self::from_bins([value; N])
     }
 
-    /// The value of each bin.
+    /// Returns the value of each bin. See the [example](Self::flat) of `flat`.
     #[must_use]
     #[inline]
     pub const fn values(&self) -> &[f32; N] {
         &self.0
     }
 
-    /// The value of each bin, to write to.
+    /// Returns the value of each bin, to be written to.
     #[must_use]
     #[inline]
     pub const fn values_mut(&mut self) -> &mut [f32; N] {
         &mut self.0
     }
 
-    /// The largest value; NaN if there is one.
+    /// Returns the largest value of all bins, or NaN if one of them is NaN.
+    ///
+    /// ```
+    /// # use nanospectra::{Bins, Light};
+    /// assert_eq!(Light::<3, Bins<400, 700>>::from_bins([1.0, 4.0, 2.0]).peak(), 4.0);
+    /// ```
     #[must_use]
     pub fn peak(&self) -> f32 {
         self.0.iter().fold(f32::NEG_INFINITY, |peak, v| if *v <= peak || peak.is_nan() { peak } else { *v })
@@ -125,13 +154,22 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
 }
 
 impl<Q, const N: usize, G: Grid> Spectrum<Q, N, G> {
-    /// Width of a bin, in nm.
+    /// How wide each bin is, in nm. See the [example](crate::Bins#example).
     pub const WIDTH_NM: f32 = Layout::<G, N>::STEP;
 }
 
-/// What means wavelengths. (The bound is each function's own, so that red, green and blue are told why not.)
+/// Functions of wavelengths. (Each has its own bound `G: Grid`, so that the compiler can say why red, green
+/// and blue have none of them.)
 impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
-    /// From a function of the wavelength in nm, read at the center of each bin: for 1 nm grids.
+    /// Makes a spectrum from a function of the wavelength in nm, read at the center of each bin.
+    ///
+    /// This suits grids of 1 nm; for wider bins use [`averaged`](Self::averaged).
+    ///
+    /// ```
+    /// # use nanospectra::{Fine, Power};
+    /// let ramp = Fine::<Power>::at_centers(|nm| nm / 830.0);
+    /// assert_eq!(ramp.values()[470], 1.0);
+    /// ```
     #[must_use]
     pub fn at_centers(mut value: impl FnMut(f32) -> f32) -> Self
     where
@@ -144,8 +182,10 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         Self::from_bins(values)
     }
 
-    /// From a smooth function of the wavelength in nm, averaged over each bin by three Gauss
-    /// points: exact for quintics. 16 bins of a black body are good to 3e-7 at 2856 K, 5e-6 at 1000 K.
+    /// Makes a spectrum from a smooth function of the wavelength in nm, averaged over each bin.
+    ///
+    /// Three Gauss points in each bin make the average exact for polynomials up to the fifth degree. 16 bins
+    /// of a black body are good to 3e-7 at 2856 K and to 5e-6 at 1000 K.
     ///
     /// ```
     /// # use nanospectra::{Bins, Light};
@@ -158,7 +198,7 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
     where
         G: Grid,
     {
-        // The outer points lie sqrt(3/5) of half a bin from the center; weights 5/18, 4/9, 5/18.
+        // The outer points lie sqrt(3/5) of half a bin from the center; the weights are 5/18, 4/9 and 5/18.
         let outer = 0.387_298_33 * Self::WIDTH_NM;
         Self::at_centers(|nm| {
             let middle = value(nm);
@@ -167,7 +207,8 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         })
     }
 
-    /// The lower edge of bin `k` (or the upper end, for `k = N`), in nm.
+    /// Returns the lower edge of bin `k` in nm, or the upper end of the grid for `k = N`. See the
+    /// [example](crate::Bins#example).
     #[must_use]
     pub const fn edge_nm(k: usize) -> f32
     where
@@ -176,7 +217,7 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         Layout::<G, N>::edge(k)
     }
 
-    /// The center of bin `k`, in nm.
+    /// Returns the center of bin `k`, in nm. See the [example](crate::Bins#example).
     #[must_use]
     pub const fn center_nm(k: usize) -> f32
     where
@@ -185,7 +226,13 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         Layout::<G, N>::center(k)
     }
 
-    /// This spectrum where the centers of its bins lie in `from_nm..=to_nm`, zero elsewhere.
+    /// Returns this spectrum with zero in all bins whose centers lie outside `from_nm..=to_nm`.
+    ///
+    /// ```
+    /// # use nanospectra::{Bins, Light};
+    /// let light = Light::<3, Bins<400, 700>>::flat(1.0); // centers at 450, 550 and 650 nm
+    /// assert_eq!(light.within(500.0, 600.0).values(), &[0.0, 1.0, 0.0]);
+    /// ```
     #[must_use]
     pub const fn within(&self, from_nm: f32, to_nm: f32) -> Self
     where
@@ -203,7 +250,13 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
         Self::from_bins(values)
     }
 
-    /// Pairs of (center of the bin in nm, value).
+    /// Returns an iterator over pairs of (center of the bin in nm, value).
+    ///
+    /// ```
+    /// # use nanospectra::{Bins, Light};
+    /// let light = Light::<3, Bins<400, 700>>::flat(0.5);
+    /// assert!(light.iter().eq([(450.0, 0.5), (550.0, 0.5), (650.0, 0.5)]));
+    /// ```
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (f32, f32)> + '_
     where
         G: Grid,
@@ -213,7 +266,9 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
 }
 
 impl<const N: usize, G: Bands> Spectrum<Power, N, G> {
-    /// All the power on the grid: the sum of the bins times their width. In W for W/nm.
+    /// Returns all the power on the grid, which is the sum of the bins times their width.
+    ///
+    /// It is in W for a spectrum in W/nm. See the [example](Spectrum#example).
     ///
     /// # Accuracy
     /// 4 units of 2^-24, relative, for positive values.
@@ -227,7 +282,7 @@ impl<const N: usize, G: Bands> Spectrum<Power, N, G> {
 }
 
 impl<const N: usize, G: Grid> Spectrum<PerBin, N, G> {
-    /// What all bins hold together.
+    /// Returns the sum of what all bins hold. See the [example](Self::density) of `density`.
     ///
     /// # Accuracy
     /// 4 units of 2^-24, relative, for positive values.
@@ -236,7 +291,8 @@ impl<const N: usize, G: Grid> Spectrum<PerBin, N, G> {
         crate::sum::sum(&self.0)
     }
 
-    /// For each nanometer: what a bin holds over its width.
+    /// Converts totals to a density: divides what each bin holds by its width, which gives power for each
+    /// nanometer.
     ///
     /// ```
     /// # use nanospectra::{Bins, PerBin, Spectrum};

@@ -1,14 +1,14 @@
-//! For what the compiler vectorizes: an array of eight lanes becomes two 128-bit registers, or
-//! one of 256 bits.
+//! The sums for targets where the compiler vectorizes: an array of eight lanes becomes two registers of 128
+//! bits, or one of 256 bits.
 //!
-//! LLVM's vectorizer is easily led astray here, by up to a factor of five. What these functions rely on was
-//! found by timing (three rows over N = 8..701, x86-64): the final reduction out of line, the
-//! rest after whole eights filled up with zeros, rows zipped inside the loop over the spectrum.
+//! Small changes of such code make LLVM's vectorizer up to five times slower. The form of these functions was
+//! found by timing (three rows over N = 8..701, x86-64): the final reduction is out of line, what remains
+//! after whole eights is filled up with zeros, and the rows are zipped inside the loop over the spectrum.
 
 use crate::sum::reduce;
 
-/// All rows against one spectrum: in one pass while the lanes of all rows fit the 16 registers of a
-/// baseline x86-64, else row by row.
+/// All rows against one spectrum. This takes one pass if the lanes of all rows fit into the 16 registers of a
+/// baseline x86-64; otherwise it goes row by row.
 #[inline]
 pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     if C >= 2 && C <= 6 {
@@ -36,8 +36,8 @@ fn one_row<const N: usize>(row: &[f32; N], s: &[f32; N]) -> f32 {
     sum
 }
 
-/// Each value of the spectrum is loaded once for all rows: three rows at N = 401 take 63 ns where
-/// row by row takes 90.
+/// Each value of the spectrum is loaded once for all rows. Three rows at N = 401 take 63 ns in this way and
+/// 90 ns row by row.
 #[inline(never)]
 fn one_pass<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     let mut lanes = [[0.0; 8]; C];
@@ -51,7 +51,7 @@ fn one_pass<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) 
         }
     }
     if !N.is_multiple_of(8) {
-        // Adding 0 * 0 leaves a sum as it is.
+        // Adding 0 * 0 does not change a sum.
         let s = filled_up(s_rest);
         for (lanes, row) in lanes.iter_mut().zip(rows) {
             let (_, row_rest) = row.as_chunks::<8>();
@@ -61,7 +61,7 @@ fn one_pass<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) 
     reduce_apart(&lanes)
 }
 
-/// Out of line: seen together with the loop, it makes LLVM shuffle the lanes there.
+/// This is out of line because LLVM would otherwise shuffle the lanes within the loop.
 #[inline(never)]
 fn reduce_apart<const C: usize>(lanes: &[[f32; 8]; C]) -> [f32; C] {
     let mut sums = [0.0; C];
@@ -78,7 +78,7 @@ fn add(lanes: &mut [f32; 8], a: &[f32; 8], b: &[f32; 8]) {
     }
 }
 
-/// Up to eight values, then zeros.
+/// Up to eight values, followed by zeros.
 #[inline]
 fn filled_up(rest: &[f32]) -> [f32; 8] {
     let mut eight = [0.0; 8];

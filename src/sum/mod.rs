@@ -1,13 +1,13 @@
-//! The inner product that everything ends in.
+//! The inner product of a spectrum and the rows of an observer.
 //!
-//! Eight partial sums and one fixed order of adding them up: eight times more accurate than a
-//! plain loop, and the same bits on every target, because the order is written here and not
-//! left to the compiler or to the width of its vectors. Multiplication and addition are rounded
-//! apart (no fused multiply-add), for the same reason.
+//! It has eight partial sums, which are added up in one fixed order. This is eight times more accurate than a
+//! plain loop, and the result has the same bits on every target, because the order is written here and not
+//! left to the compiler or to the width of its vectors. For the same reason multiplication and addition are
+//! rounded separately (there is no fused multiply-add).
 //!
-//! Five ways to do the same additions: `scalar` for cores without vectors, `x86` with the vectors of x86-64,
-//! elsewhere `vector` with the `wide` crate, and without it `wasm` for WebAssembly or `lanes` for what the
-//! compiler vectorizes.
+//! There are five ways to do the same additions: `scalar` for processors without vectors, `x86` with the
+//! vectors of x86-64, `vector` on other targets with the crate `wide`, and without that crate `wasm` for
+//! WebAssembly and `lanes` where the compiler vectorizes.
 
 #[cfg(not(any(feature = "simd", target_arch = "x86_64", target_arch = "wasm32", target_os = "none")))]
 mod lanes;
@@ -33,7 +33,7 @@ pub(crate) use x86::each;
 #[cfg(all(target_arch = "x86_64", not(target_os = "none")))]
 pub(crate) use x86::rows;
 
-/// Every spectrum of a batch, one by one; the shorter of the two slices says how many.
+/// Sums for every spectrum of a batch, one by one. As many are read as the shorter of the two slices has.
 #[cfg(any(not(all(target_arch = "x86_64", target_feature = "avx")), target_os = "none"))]
 #[inline]
 pub(crate) fn each<T, const C: usize, const N: usize>(
@@ -47,13 +47,13 @@ pub(crate) fn each<T, const C: usize, const N: usize>(
     }
 }
 
-/// What 8 lanes come to; the order in which a 128- or 256-bit vector folds in half.
+/// The sum of 8 lanes, in the order in which a vector of 128 or 256 bits is added up by halves.
 #[inline]
 fn reduce(s: &[f32; 8]) -> f32 {
     ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
 }
 
-/// The sum of `a[k]`, in the same lanes and order as the products.
+/// The sum of `a[k]`, in the same lanes and order as that of the products.
 pub(crate) fn sum(a: &[f32]) -> f32 {
     let mut lanes = [0.0f32; 8];
     for chunk in a.chunks(8) {

@@ -1,9 +1,9 @@
-//! Explicit vectors (the `wide` crate), all rows in one pass over the spectrum.
+//! The sums in explicit vectors of the crate `wide`, with all rows in one pass over the spectrum.
 
 use crate::sum::reduce;
 use wide::f32x8;
 
-/// All rows against one spectrum; each lane does what a lane of the other kernels does.
+/// All rows against one spectrum. Each lane adds the same numbers as a lane of the other kernels.
 #[inline]
 pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     let mut sums = [f32x8::ZERO; C];

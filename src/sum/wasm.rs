@@ -1,10 +1,13 @@
-//! For WebAssembly: eight named scalars, or with simd128 two vectors, in one function for every N.
+//! The sums for WebAssembly, in eight named scalars or, with simd128, in two vectors. One function serves
+//! every N.
 //!
-//! Where the compiler knows the number of bands it unrolls the sum and loads all of the spectrum first, more
-//! than there are registers: without vectors that is slower than a plain loop, and this is as fast as one
-//! (`node examples/web/bench.mjs`). One function for every N is also less to load for a page; with vectors
-//! the feature `simd`, all rows in one pass, is faster and larger. The middle is that of `scalar`, whose end
-//! differs: by name there, where a loop costs instructions, and in a loop here, where it is bytes that count.
+//! If the compiler knows the number of bands, it unrolls the sum and loads all of the spectrum first, which
+//! is more than there are registers. Without vectors that is slower than a plain loop, and this function is
+//! as fast as a plain loop (`node examples/web/bench.mjs`). One function for every N is also less for a page
+//! to load. With vectors the feature `simd`, which sums all rows in one pass, is faster and larger.
+//!
+//! The loop is that of `scalar`. The rest after whole eights is added in a loop here, where bytes count, and
+//! by name in `scalar`, where a loop costs instructions.
 
 /// All rows against one spectrum, one row after the other.
 #[inline]
@@ -29,13 +32,13 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
         low = f32x4_add(low, f32x4_mul(a_low, b_low));
         high = f32x4_add(high, f32x4_mul(a_high, b_high));
     }
-    // Adding zero leaves a sum as it is.
+    // Adding zero does not change a sum.
     let mut rest = [0.0; 8];
     for (product, (a, b)) in rest.iter_mut().zip(a_rest.iter().zip(b_rest)) {
         *product = a * b;
     }
     let [rest_low, rest_high] = halves(rest);
-    // As `reduce` has it.
+    // This is the order of `reduce`.
     let sums = f32x4_add(f32x4_add(low, rest_low), f32x4_add(high, rest_high));
     (f32x4_extract_lane::<0>(sums) + f32x4_extract_lane::<2>(sums))
         + (f32x4_extract_lane::<1>(sums) + f32x4_extract_lane::<3>(sums))
@@ -46,7 +49,7 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
 fn dot(a: &[f32], b: &[f32]) -> f32 {
     let (mut s0, mut s1, mut s2, mut s3) = (0.0f32, 0.0f32, 0.0f32, 0.0f32);
     let (mut s4, mut s5, mut s6, mut s7) = (0.0f32, 0.0f32, 0.0f32, 0.0f32);
-    // Not to be unrolled for the only N of a module either.
+    // This keeps the compiler from unrolling the loop in a module that has one N only.
     let a = a.get(..core::hint::black_box(a.len())).unwrap_or(a);
     let (a8, a_rest) = a.as_chunks::<8>();
     let (b8, b_rest) = b.as_chunks::<8>();

@@ -1,8 +1,9 @@
-//! Explicit vectors of x86-64: two of four lanes, or one of eight where the build has AVX.
+//! The sums in explicit vectors of x86-64: two of four lanes each, or one of eight where the build has AVX.
 //!
-//! What the compiler makes of plain arrays changes with N, with its version and with the code around, by a
-//! factor of five; these intrinsics it keeps. Three rows of 16 bands take 3 ns where arrays of lanes take 13,
-//! of 81 bands 12 where they take 20.
+//! The speed of code that the compiler makes from plain arrays changes with N, with its version and with the
+//! code around it, by a factor of five. The code that it makes from these intrinsics does not change. Three
+//! rows of 16 bands take 3 ns, and 13 ns with arrays of lanes; three rows of 81 bands take 12 ns, and 20 ns
+//! with arrays.
 
 #![expect(
     unsafe_code,
@@ -11,7 +12,7 @@
 
 use core::arch::x86_64 as x86;
 
-/// All rows against one spectrum, up to four in a pass.
+/// All rows against one spectrum, with up to four rows in a pass.
 #[inline]
 pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f32; N]) -> [f32; C] {
     if N <= 4 {
@@ -31,16 +32,17 @@ pub(crate) fn rows<const C: usize, const N: usize>(rows: &[[f32; N]; C], s: &[f3
     sums
 }
 
-/// Up to four products, as RGB has, without vectors; in the order of [`reduce`](crate::sum::reduce).
+/// The sum of up to four products, as RGB has, without vectors, in the order of
+/// [`reduce`](crate::sum::reduce).
 #[inline(always)]
 fn few<const N: usize>(row: &[f32; N], s: &[f32; N]) -> f32 {
     let at = |k: usize| row.get(k).zip(s.get(k)).map_or(0.0, |(weight, s)| 0.0 + weight * s);
     (at(0) + at(2)) + (at(1) + at(3))
 }
 
-/// Every spectrum of a batch. With eight lanes the loads are what takes long, so three rows are read once for
-/// three spectra: 5.4 ns for each of 81 bands where one by one takes 7.9. (With four lanes it is the
-/// instructions, and nothing is gained.)
+/// Sums for every spectrum of a batch. With eight lanes the loads take longest, so three rows are read once
+/// for three spectra. That takes 5.4 ns for each spectrum of 81 bands, and one by one 7.9 ns. (With four
+/// lanes the instructions take longest, and nothing is gained.)
 #[cfg(target_feature = "avx")]
 #[inline]
 pub(crate) fn each<T, const C: usize, const N: usize>(
@@ -67,11 +69,11 @@ pub(crate) fn each<T, const C: usize, const N: usize>(
     }
 }
 
-/// Three rows against three spectra, spectrum by spectrum.
+/// Three rows against three spectra; the result has a row for each spectrum.
 #[cfg(target_feature = "avx")]
 #[inline(always)]
 fn three_by_three<const N: usize>([x, y, z]: [&[f32; N]; 3], [a, b, c]: [&[f32; N]; 3]) -> [[f32; 3]; 3] {
-    // Nine names, which stay in registers.
+    // Nine variables stay in registers, where an array would not.
     let [mut xa, mut xb, mut xc] = [Eight::ZERO; 3];
     let [mut ya, mut yb, mut yc] = [Eight::ZERO; 3];
     let [mut za, mut zb, mut zc] = [Eight::ZERO; 3];
@@ -117,7 +119,7 @@ fn eights<const N: usize>(values: &[f32; N]) -> impl Iterator<Item = Eight> {
     values.as_chunks().0.iter().map(Eight::of)
 }
 
-/// What whole eights leave, then zeros: adding 0 * 0 leaves a sum as it is.
+/// The values that remain after whole eights, followed by zeros: adding 0 * 0 does not change a sum.
 #[inline(always)]
 fn rest<const N: usize>(values: &[f32; N]) -> Eight {
     let (_, rest) = values.as_chunks::<8>();
@@ -125,7 +127,7 @@ fn rest<const N: usize>(values: &[f32; N]) -> Eight {
     Eight::new([at(0), at(1), at(2), at(3), at(4), at(5), at(6), 0.0])
 }
 
-/// What the lanes of four come to, in the order of [`reduce`](crate::sum::reduce).
+/// The sums of the lanes of four vectors, in the order of [`reduce`](crate::sum::reduce).
 #[inline(always)]
 fn sums(lanes: [Eight; 4]) -> [f32; 4] {
     let [a, b, c, d] = lanes.map(Eight::halves_added);
@@ -139,7 +141,7 @@ fn sums(lanes: [Eight; 4]) -> [f32; 4] {
     }
 }
 
-/// As [`sums`], of eight.
+/// The sums of the lanes of eight vectors, as [`sums`] computes them.
 #[cfg(target_feature = "avx")]
 #[inline(always)]
 fn eight_sums([a, b, c, d, e, f, g, h]: [Eight; 8]) -> [f32; 8] {
@@ -168,12 +170,12 @@ fn eight_sums([a, b, c, d, e, f, g, h]: [Eight; 8]) -> [f32; 8] {
     }
 }
 
-/// Eight lanes.
+/// Eight lanes in one vector.
 #[cfg(target_feature = "avx")]
 #[derive(Clone, Copy)]
 struct Eight(x86::__m256);
 
-// SAFETY of all: this is compiled only where the build has AVX; a reference to eight f32 can be read.
+// SAFETY of all: this is compiled only where the build has AVX, and a reference to eight f32 can be read.
 #[cfg(target_feature = "avx")]
 impl Eight {
     const ZERO: Self = Eight(unsafe { core::mem::zeroed() });
@@ -201,13 +203,13 @@ impl Eight {
     }
 }
 
-/// Eight lanes, of which the first four and the last four are vectors.
+/// Eight lanes in two vectors: the first four and the last four.
 #[cfg(not(target_feature = "avx"))]
 #[derive(Clone, Copy)]
 struct Eight(x86::__m128, x86::__m128);
 
-// SAFETY of all: every x86-64 has SSE; a reference to eight f32 can be read, four from the first and from the
-// fifth.
+// SAFETY of all: every x86-64 has SSE, and a reference to eight f32 can be read, four from the first on and
+// four from the fifth on.
 #[cfg(not(target_feature = "avx"))]
 impl Eight {
     const ZERO: Self = unsafe { core::mem::zeroed() };

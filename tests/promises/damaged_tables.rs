@@ -148,5 +148,5 @@ fn a_damaged_table_stops_the_build_with_file_line_and_advice() {
     package.write("tables/illuminants/NEW_5nm.csv", &shipped(FL));
     let output = package.cargo(&["check"]);
     let text = String::from_utf8_lossy(&output.stderr);
-    assert!(text.contains("NEW_5nm.csv: in no list of tables/build.rs; add a row"), "{text}");
+    assert!(text.contains("NEW_5nm.csv: the file is in no list of tables/build.rs; add a row"), "{text}");
 }
