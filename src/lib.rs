@@ -79,6 +79,9 @@
 //! Files, text and plots (see `examples/cli` for these); spectra whose size is known only at run time;
 //! f64 at run time; color appearance beyond what TM-30 needs.
 #![no_std]
+// On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating system,
+// which that label leaves out.
+#![cfg_attr(docsrs, feature(doc_cfg), doc(auto_cfg(hide(target_os = "none"))))]
 #![deny(missing_docs, unsafe_code)]
 
 mod grid;

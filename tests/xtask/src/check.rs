@@ -81,6 +81,7 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
         })
     });
     lane.step("documentation of every public item", docs::check);
+    lane.step("documentation as docs.rs builds it", docs::labels::check);
 }
 
 /// Runs a command for every package by itself, and for the others too if it fails for one.

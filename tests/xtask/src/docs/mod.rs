@@ -1,7 +1,8 @@
-//! Checks the documentation of the library's public items, as rustdoc's JSON gives it.
+//! Checks the documentation of the library's public items, as rustdoc's JSON gives it, and the pages of docs.rs.
 
 mod examples;
 mod items;
+pub mod labels;
 mod sentence;
 
 use crate::shell::{Outcome, Shell, root};
