@@ -66,8 +66,8 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
     });
     lane.step("the packages are complete", |shell| {
         PUBLISHED.iter().try_for_each(|name| has_licenses(shell, name))?;
-        // Cargo unpacks and builds the first for the second once for each version: what it kept of an earlier run
-        // is stale.
+        // Cargo unpacks and builds the first for the second once for each version: what it kept of an earlier
+        // run is stale.
         shell.bash(r#"rm -rf target/packaged "${CARGO_HOME:-$HOME/.cargo}"/registry/{src,cache}/*/nanospectra-[0-9]*"#)?;
         // Together, since the second depends on the first, which no registry has in this version.
         let shell = shell.again().with("CARGO_TARGET_DIR", "target/packaged");

@@ -1,4 +1,5 @@
-//! Checks the documentation of the library's public items, as rustdoc's JSON gives it, and the pages of docs.rs.
+//! Checks the documentation of the library's public items, as rustdoc's JSON gives it, and the pages of
+//! docs.rs.
 
 mod examples;
 mod items;

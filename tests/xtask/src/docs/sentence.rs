@@ -12,7 +12,8 @@ const ABBREVIATIONS: [&str; 14] = [
     "No.",
 ];
 
-/// The first sentence, as plain text with code between backticks, if the documentation begins with a paragraph.
+/// The first sentence, as plain text with code between backticks, if the documentation begins with a
+/// paragraph.
 pub fn first_sentence(docs: &str) -> Option<String> {
     let mut events = Parser::new(docs);
     if events.next() != Some(Event::Start(Tag::Paragraph)) {
