@@ -1,18 +1,22 @@
-//! What light looks like, for a microcontroller, a web page or a renderer: spectral color math
-//! in fixed-size arrays, without std and without an allocator.
+//! Computes what light looks like, on a microcontroller, in a web page or in a renderer: spectral color math in
+//! fixed-size arrays of `f32`, without `std` and without an allocator.
+//!
+//! A spectrum, or the counts of a color sensor, become XYZ, color temperature, Lab, CRI, TM-30 or lux, and an RGB
+//! color becomes a spectrum again. The tables of the CIE are made when the crate is built.
 //!
 //! ```
 //! use nanospectra::color::{Cct, Xyz};
 //! use nanospectra::observer::CIE_1931;
 //! use nanospectra::{Curve, Fine, Observer, Power, Reflectance, light};
 //!
-//! // A measured lamp, every 5 nm (here a table's), to its color: interpolate to 1 nm, sum.
+//! // A lamp from a table with a value every 5 nm: bring it to 1 nm, and sum.
 //! let lamp: Fine<Power> = light::FL11.fine();
 //! let xyz = Xyz::from(CIE_1931.sees(&lamp));
-//! let Some(Cct::Near { cct_k, duv }) = xyz.cct() else { return };
-//! assert!((cct_k - 3998.0).abs() < 8.0 && duv.abs() < 1e-3); // CIE 15: FL11, 4000 K
+//! let Some(Cct::Near { cct_k, duv }) = xyz.cct() else { panic!("no white") };
+//! // CIE 15 says 4000 K.
+//! assert!((cct_k - 3998.0).abs() < 8.0 && duv.abs() < 1e-3);
 //!
-//! // The same lamp folded into the eye: 192 bytes that read a reflectance of 16 numbers.
+//! // An eye under this lamp that reads a reflectance of 16 numbers: 192 bytes, made by the compiler.
 //! static EYE: Observer<3, 16> = CIE_1931
 //!     .under(&light::FL11.fine())
 //!     .fold(Curve::Spline)
@@ -22,62 +26,60 @@
 //! assert!((y - 50.0).abs() < 1e-4);
 //! ```
 //!
-//! # The one idea
+//! **New here?** Begin with the guide to the [first steps](guide::first_steps). All guides are in [`guide`]: how many
+//! bands to use, sensors, RGB to spectrum, filters and dyes, renderers, accuracy, conventions, flash and stack.
 //!
-//! **Light that meets matter and then a sensor is a linear chain, and a chain that does not change is a small
-//! matrix.** [`Observer`] is that matrix. It is closed under [`through`](Observer::through),
-//! [`looking_at`](Observer::looking_at), [`under`](Observer::under) and [`mixed`](Observer::mixed), all
-//! `const fn`, and [`fold`](Observer::fold) brings it from the CIE's 1 nm to the few bins that a program can
-//! afford. 16 folded bins show surfaces better than 60 averages do without the fold.
+//! # The idea
 //!
-//! # The road
+//! Light that meets matter and then a sensor is a linear chain, and a chain that does not change is a small matrix.
+//! [`Observer`] is that matrix. The compiler multiplies the lamp, the filter and the color-matching functions at 1 nm
+//! and [folds](Observer::fold) the result into the few bands that a program can afford. A surface that is seen through
+//! 16 folded bands has a more accurate color than one that is sampled at 60 bands without the fold.
 //!
-//! A number enters as a measured sample and leaves as a color. The modules are the stations:
+#![doc = include_str!("guide/chain.svg")]
 //!
-//! * [`Bands`]: what N numbers belong to. Of wavelengths a [`Grid`], [`Bins`] between edges or [`Nodes`]
-//!   centered on wavelengths; or red, green and blue ([`RgbBands`](color::RgbBands)), by one alias for a
-//!   whole program.
-//! * [`Spectrum`]: N averages of [`Power`] or [`Factor`] on a grid, from samples, lines, tables.
-//! * [`light`]: where power comes from: the CIE illuminants, daylight, black bodies.
-//! * [`matter`]: what light meets: test samples; glasses, metals, matt and rough surfaces; films, absorbers,
-//!   scatterers; dyes, mirrors, polarizers.
-//! * [`observer`]: what looks: eyes, cones, V(lambda), any C-channel sensor; the fold.
-//! * [`path`]: lamp, filter, surface, in that order; fluorescence and polarization where they are called for.
-//! * [`color`]: what it means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI, TM-30.
-//! * [`upsample`]: the way back: a spectrum for an RGB, exact, smooth and within 0..=1.
-//! * [`radiometry`]: how much of it, where: radiance to lux with units, solid angles, form factors; melanopic
-//!   stimulation, photons.
-//! * [`sensor`]: how silicon sees it: raw counts to color, calibration, uncertainty, integers only.
+//! # The modules
 //!
-//! Below them all lie [`geometry`]: directions, frames and integrals over the hemisphere; and [`math`]: the
-//! elementary functions, and the backends that provide them.
+//! They follow the light, from the numbers of a measured sample to a color:
 //!
-//! # Conventions
+//! * [`Bands`] are what the N numbers of a spectrum belong to: a [`Grid`] of wavelengths ([`Bins`] between edges,
+//!   [`Nodes`] around wavelengths), or red, green and blue ([`RgbBands`](color::RgbBands)).
+//! * [`Spectrum`] holds N averages of a [`Power`] or of a [`Factor`], such as a reflectance or a transmittance.
+//! * [`light`] has the illuminants of the CIE, daylight and black bodies.
+//! * [`matter`] has what light meets: glasses, metals, matt and rough surfaces, films, absorbers, scatterers, dyes,
+//!   mirrors and polarizers.
+//! * [`observer`] has what looks: the standard observers, cones, V(λ) and your own sensors.
+//! * [`path`] sends light through one after another, with fluorescence and polarization where you ask for them.
+//! * [`color`] says what XYZ means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI and TM-30.
+//! * [`upsample`] finds a smooth reflectance for an RGB color.
+//! * [`radiometry`] has quantities with units, solid angles, form factors, lux, melanopic and photon quantities.
+//! * [`sensor`] turns raw counts into color, with calibration, uncertainty, and integers only if need be.
+//! * [`geometry`] has directions and integrals over the hemisphere, and [`math`] the elementary functions.
 //!
-//! * Wavelengths are in nm. XYZ has Y = 100 for a perfect white surface and for relative lights, and Y in
-//!   lx, lm or cd/m2 through [`KM`](observer::KM) = 683.002 lm/W for absolute ones.
-//! * Measured samples: interpolate linearly to 1 nm (Sprague's way by name), sum over 360..=830 nm; outside
-//!   the data zero for lights, the end values for reflectances. The choice of interpolation moves xy by up to
-//!   3.4e-4.
-//! * CCT, Duv and CRI are on the CIE 1931 observer with c2 = 1.4388e-2 m K, TM-30 on CIE 1964 with its
-//!   CCT on 1931; [`light::blackbody`] uses today's constants. Duv is positive above the locus.
-//! * NaN in gives NaN out; nothing panics (but indexing a spectrum beyond its end); a quantity that has no
-//!   value is an enum or `None`, never a wrong number. What [`radiometry`] divides by zero is the largest
-//!   f32.
-//! * Values hold their accuracy between 1e-30 and 1e30; outside, products of f32 under- or overflow.
-//! * Every finite result has the same bits on every target (x86-64, Arm, RISC-V, WebAssembly), with every
-//!   feature. A feature adds an interface or speed and never changes a number.
+//! # Conventions in brief
+//!
+//! * Wavelengths are in nm. XYZ has Y = 100 for a perfect white surface and for relative lights.
+//! * NaN in gives NaN out. Nothing panics, except indexing a spectrum beyond its end.
+//! * A quantity that has no value is `None` or a variant of an enum, never a wrong number.
+//! * Every finite result has the same bits on every target, with every feature.
+//!
+//! The guide to the [conventions](guide::conventions) has all of them: observers, interpolation, what lies outside
+//! the data, absolute units, whites.
 //!
 //! # Features
 //!
-//! `libm` (default): what needs exp, ln, pow or atan2 by its short name. `simd`: explicit vectors on hosts
-//! other than x86-64, which has them always. `std`, `micromath`: more [`math`] backends ([`math::Fast`] needs
-//! no feature: the `_with` forms take it). `heapless`: samples collected in fixed memory. `defmt`: logging.
+//! A feature adds an interface or speed, and never changes a number.
 //!
-//! # Left out
+//! * `libm` (default) adds what needs exp, ln, pow or atan2 by its short name. Without it, the `_with` forms take a
+//!   backend such as [`math::Fast`].
+//! * `simd` adds explicit vectors on hosts other than x86-64, which has them always.
+//! * `std` and `micromath` add more [`math`] backends.
+//! * `heapless` adds the collection of samples in fixed memory, and `defmt` adds logging.
 //!
-//! Files, text and plots (see `examples/cli` for these); spectra whose size is known only at run time;
-//! f64 at run time; color appearance beyond what TM-30 needs.
+//! # What is not there
+//!
+//! Files, text and plots (the program `nanospectra-cli` has them), spectra whose size is known only at run time, `f64`
+//! at run time, and color appearance beyond what TM-30 needs.
 #![no_std]
 // On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating system,
 // which that label leaves out.
@@ -115,6 +117,10 @@ pub mod radiometry;
 pub mod sensor;
 
 pub mod math;
+
+// Its examples use the default feature.
+#[cfg(any(feature = "libm", not(doctest)))]
+pub mod guide;
 
 pub use grid::{Bands, Bins, Grid, Nodes};
 pub use observer::{Curve, FineObserver, Observer};

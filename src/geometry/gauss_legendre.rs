@@ -1,13 +1,15 @@
-//! The nodes and weights of Gauss and Legendre, worked out by the compiler.
+//! Computes the nodes and weights of Gauss-Legendre quadrature at compile time.
 
 use crate::math::const_for;
 
-/// Nodes in 0..1, increasing, and weights that add up to 1: exact for polynomials up to the degree 2 N - 1.
+/// Returns N nodes in 0..1, in increasing order, with weights that add up to 1.
+///
+/// The rule is exact for polynomials up to the degree 2 N - 1.
 pub(crate) const fn nodes_and_weights<const N: usize>() -> [(f32, f32); N] {
     let mut table = [(0.0, 0.0); N];
     let n = N as f64;
     const_for!(0..N.div_ceil(2), |k| {
-        // Newton's method on the Legendre polynomial, from its asymptotic root.
+        // Newton's method on the Legendre polynomial, started from the asymptotic formula of its root.
         let mut x = cosine(core::f64::consts::PI * (k as f64 + 0.75) / (n + 0.5));
         let mut slope = 0.0;
         const_for!(0..5, |_step| {
@@ -22,7 +24,7 @@ pub(crate) const fn nodes_and_weights<const N: usize>() -> [(f32, f32); N] {
             x -= value / slope;
         });
         let exact = 1.0 / ((1.0 - x) * (1.0 + x) * slope * slope);
-        // Rounded down, so that together they are not more than 1.
+        // Round down, so that the sum of all weights does not exceed 1.
         let nearest = exact as f32;
         let weight = if nearest as f64 > exact { nearest.next_down() } else { nearest };
         table[k] = ((0.5 * (1.0 - x)) as f32, weight);
@@ -31,7 +33,7 @@ pub(crate) const fn nodes_and_weights<const N: usize>() -> [(f32, f32); N] {
     table
 }
 
-/// Taylor's series; good enough to start from on 0..=pi.
+/// Returns the cosine by its Taylor series, which within 0..=pi is accurate enough to start Newton's method.
 const fn cosine(x: f64) -> f64 {
     let (mut sum, mut term, mut k) = (1.0, 1.0, 1.0);
     while k < 24.0 {

@@ -1,4 +1,4 @@
-//! Three coordinates: the arithmetic that the geometry is written in.
+//! Vector arithmetic on three coordinates, which the geometry is written in.
 
 use crate::math::sqrt;
 
@@ -30,15 +30,16 @@ pub(crate) fn length(a: [f32; 3]) -> f32 {
     sqrt(dot(a, a))
 }
 
-/// The power of two that brings the largest of some lengths to 1 or a little above (near f32's ends to
-/// between 2^-22 and 4): products of three or four of them then neither overflow nor vanish, and no digit is
-/// lost.
+/// Returns the power of two that scales the largest of some lengths to between 1 and 2.
+///
+/// Near the ends of the range of f32 the result is between 2^-22 and 4. Products of three or four scaled
+/// lengths then neither overflow nor underflow, and a power of two costs no digits.
 pub(crate) fn to_unity(lengths: impl IntoIterator<Item = f32>) -> f32 {
     let exponent = lengths.into_iter().fold(0, |largest: u32, x| largest.max(x.to_bits() << 1 >> 24));
     f32::from_bits(254_u32.saturating_sub(exponent).max(1) << 23)
 }
 
-/// The vector of length 1 in a direction; the zero vector has none and stays zero.
+/// Returns the vector of length 1 in a direction. The zero vector has no direction and stays zero.
 pub(crate) fn unit(a: [f32; 3]) -> [f32; 3] {
     let a = scaled(a, to_unity(a));
     let length = length(a);

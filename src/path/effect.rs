@@ -1,4 +1,4 @@
-//! Light that matter has moved between bins: every [`Effect`] as a surface and as a filter.
+//! Fluorescent matter and effects of a user's own as surfaces and filters of a path, for every [`Effect`].
 
 use crate::grid::{Bins, by_fields};
 use crate::matter::{Donaldson, Dye, Effect, Foldable, Glows, Phosphor};
@@ -9,19 +9,22 @@ use crate::path::{
 use crate::spectrum::{Power, Spectrum};
 use core::marker::PhantomData;
 
-/// Light that can make matter glow: power on the grid of the matter. What leaves the matter counts as
-/// unpolarized.
+/// Types of light that can make matter fluoresce: paths of power on the grid of the matter.
+///
+/// Plain and polarized light implement it. What leaves the matter counts as unpolarized. There is nothing to
+/// call here: [`Plain::onto`] and [`Stokes::onto`] use this trait to accept fluorescent matter; see the
+/// [example](Dye) of a dye.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot make matter fluoresce",
     label = "no light of `Power` in {N} bins of `{G}`",
-    note = "an eye that has the light folded in cannot see fluorescence any more, since each bin of light changes \
-            many of the eye's: fold the matter in first, `eye.looking_at_dye(&dye).under(&lamp)`"
+    note = "an eye that has the light folded in cannot see fluorescence any more, since each bin of light \
+            changes many of the eye's: fold the matter in first, `eye.looking_at_dye(&dye).under(&lamp)`"
 )]
 pub trait Excites<const N: usize, G> {
-    /// The light as plain power.
+    /// The path that gives the same light as plain power, one number for each bin.
     type Light: Stimulus<Power, N, G>;
 
-    /// The light as plain power.
+    /// Returns the light as plain power, without its polarization if it has any.
     fn into_light(self) -> Self::Light;
 }
 
@@ -43,7 +46,10 @@ impl<P: StokesPath<N, G>, const N: usize, G> Excites<N, G> for Stokes<P> {
     }
 }
 
-/// Light `L` after matter `M` that adds its own: `glow` times its emission.
+/// A path stage in which light `L` has met matter `M` that emits one spectrum, whatever light excites it.
+///
+/// [`Plain::onto`] and [`Plain::through`] make it of a [`Dye`] or a [`Phosphor`]. How much the matter emits
+/// is computed when the stage is made; the bins are computed when they are read.
 #[derive(Clone, Copy, Debug)]
 pub struct Glowing<L, M> {
     light: L,
@@ -68,7 +74,8 @@ impl<L: Priced, const N: usize, G> Priced for Glowing<L, &Dye<N, G>> {
     const AGAIN: usize = L::AGAIN + Dye::<N, G>::AGAIN;
 }
 
-/// The light is read once: the glow is there without it.
+/// The light is read only once, since what a phosphor emits at an instant does not depend on the light of
+/// that instant.
 impl<L: Priced, const N: usize, G> Priced for Glowing<L, &Phosphor<N, G>> {
     const PRICE: Price = L::PRICE.plus(Phosphor::<N, G>::PRICE);
     const AGAIN: usize = L::AGAIN + Phosphor::<N, G>::AGAIN;
@@ -81,8 +88,10 @@ impl<L: Stimulus<Power, N, G>, M: Glows<N, G>, const N: usize, G> Stimulus<Power
     }
 }
 
-/// Light `L` after matter `M` that moves it between bins. All bins are worked out at once, since each needs
-/// all of `L`.
+/// A path stage in which light `L` has met matter `M` that moves light from any bin to any other.
+///
+/// [`Plain::onto`] and [`Plain::through`] make it of a [`Donaldson`] matrix or of an effect of your own
+/// ([`Own`]). All bins are computed when the stage is made, since each depends on all of `L`.
 pub struct Affected<L, M, const N: usize, G> {
     light: Spectrum<Power, N, G>,
     from: PhantomData<(L, M)>,
@@ -114,8 +123,39 @@ impl<L, M, const N: usize, G> Stimulus<Power, N, G> for Affected<L, M, N, G> {
     }
 }
 
-/// An [`Effect`] of your own as a part of a path, for light to fall on or to go through:
-/// `sun.onto(Own::new(&ink))`. If the matter has a price ([`Priced`]), the path has one.
+/// Wraps an [`Effect`] of your own, so that it can stand in a path or in a [`Scene`](crate::path::Scene).
+///
+/// Make it by [`Own::new`], and let light fall on it or go through it. If the matter has a price
+/// ([`Priced`]), the path has one. For a scene, and to fold the effect into an observer, the matter has to be
+/// linear in the light, which it says by implementing [`Foldable`].
+///
+/// # Example
+/// ```
+/// use nanospectra::matter::{Effect, Foldable};
+/// use nanospectra::observer::CIE_1931;
+/// use nanospectra::path::Own;
+/// use nanospectra::{Curve, Light, Observer, Power};
+///
+/// /// An ink that absorbs half of the light and emits a tenth of what it absorbs evenly over all bins.
+/// struct Ink;
+///
+/// impl Effect<31> for Ink {
+///     fn leaving(&self, light: &Light<31>) -> Light<31> {
+///         let absorbed: f32 = light.values().iter().map(|power| 0.5 * power).sum();
+///         *light * 0.5 + Light::flat(0.1 * absorbed / 31.0)
+///     }
+/// }
+///
+/// impl Foldable<31> for Ink {}
+///
+/// static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
+/// let sun = Light::flat(1.0);
+/// let [_, y, _] = EYE.sees(sun.onto(Own::new(&Ink)));
+/// // Of flat light half is reflected, and a tenth of the other half is emitted.
+/// assert!((y / EYE.sees(&sun)[1] - 0.55).abs() < 1e-6);
+/// // The same by an observer that the ink is folded into.
+/// assert!((y - EYE.looking_at_matter(&Ink).sees(&sun)[1]).abs() < 1e-4);
+/// ```
 #[derive(Debug)]
 pub struct Own<'m, M: ?Sized, const N: usize, G = Bins<380, 730>>(pub(super) &'m M, PhantomData<G>);
 
@@ -128,7 +168,7 @@ impl<M: ?Sized, const N: usize, G> Clone for Own<'_, M, N, G> {
 impl<M: ?Sized, const N: usize, G> Copy for Own<'_, M, N, G> {}
 
 impl<'m, M: Effect<N, G> + ?Sized, const N: usize, G> Own<'m, M, N, G> {
-    /// A part of a path that does to light what `matter` does.
+    /// Wraps a reference to `matter` as a part of a path. See the [example](#example).
     #[must_use]
     pub const fn new(matter: &'m M) -> Self {
         Own(matter, PhantomData)
@@ -144,8 +184,8 @@ impl<'m, L: Excites<N, G>, M: Effect<N, G> + ?Sized, const N: usize, G> Surface<
     }
 }
 
-/// Plain light only: what clear matter leaves of the polarization of light that goes through it is not in its
-/// numbers.
+/// Only plain light can go through it. An effect does not say how much of the polarization of light is left
+/// behind clear matter.
 impl<'m, Q, P, M: Effect<N, G> + ?Sized, const N: usize, G> Filter<Plain<Q, P>> for Own<'m, M, N, G>
 where
     Plain<Q, P>: Excites<N, G>,
@@ -158,8 +198,9 @@ where
     }
 }
 
-/// Matter of this crate stands in a path by itself. (Were it implemented for all `&M`, the compiler's
-/// messages about spectra would no longer name grids.)
+/// Makes references to fluorescent matter of this crate surfaces, filters and parts of scenes, without
+/// [`Own`]. (An implementation for all `&M` would take the grids out of the compiler's messages about
+/// spectra.)
 macro_rules! by_themselves {
     ($([$($generics:tt)*] $matter:ty => $leaving:ident $(, $more:ident)*;)*) => {$(
         impl<'m, L: Excites<N, G>, $($generics)*> Surface<L> for &'m $matter {

@@ -1,5 +1,9 @@
-//! The light's path: lamp, filters, surfaces, and what an eye makes of them, written in that order.
+//! Follows light from a lamp through filters and off surfaces to an observer, and computes what it sees.
 //!
+//! Use it where light meets matter once or several times on one way: a painted wall behind a window, a safety
+//! vest in headlights, a reflection in water. Write the stages in the order in which the light meets them.
+//!
+//! # Example
 //! ```
 //! use nanospectra::observer::CIE_1931;
 //! use nanospectra::{Curve, Light, Observer, Power, Reflectance};
@@ -11,24 +15,31 @@
 //! assert!((xyz[1] - 0.4 * EYE.sees(&sun)[1]).abs() < 1e-4);
 //! ```
 //!
-//! The stages are references, and nothing is computed until an observer looks: then one pass over the bins
-//! evaluates the whole path. An effect that is not written costs nothing.
+//! The stages are references. Filters and surfaces are evaluated when an observer looks, in one pass over the
+//! bins for the whole path. An effect that no stage has costs no instruction and no byte.
 //!
-//! * [`Plain`] light has one number for each bin. [`Spectrum`](crate::Spectrum)s of [`Factor`](crate::Factor)
-//!   dim it; a [`Dye`](crate::matter::Dye), a [`Donaldson`](crate::matter::Donaldson) matrix, a
-//!   [`Phosphor`](crate::matter::Phosphor) or an [`Effect`](crate::matter::Effect) of your own moves it
-//!   between bins.
-//! * [`Stokes`] light, from `polarized()` on, has four numbers for each bin, which
+//! # The kinds of light
+//!
+//! * [`Plain`] light is unpolarized and has one number for each bin. A [`Spectrum`](crate::Spectrum) of
+//!   [`Factor`](crate::Factor) multiplies it. A [`Dye`](crate::matter::Dye), a
+//!   [`Donaldson`](crate::matter::Donaldson) matrix, a [`Phosphor`](crate::matter::Phosphor) or an
+//!   [`Effect`](crate::matter::Effect) of your own (by [`Own`]) moves power between bins.
+//! * [`Stokes`] light has four numbers for each bin. It starts at `polarized()`, and
 //!   [`Mirror`](crate::matter::Mirror)s, [`Polarizer`](crate::matter::Polarizer)s and
-//!   [`Retarder`](crate::matter::Retarder)s mix. A matt surface makes it plain again; so does
-//!   `ignoring_polarization()`, for an eye or by choice.
-//! * In place of a grid [`RgbBands`](crate::color::RgbBands) are three bands: cheap, and off by what they
-//!   say.
-//! * A [`Scene`] is a path that is put together at run time. It says what its parts cost and which of them
-//!   hardly show.
+//!   [`Retarder`](crate::matter::Retarder)s act on it. A matt surface makes it plain again, and so does
+//!   `ignoring_polarization()`, which you call before an observer looks at it.
+//! * Light on [`RgbBands`](crate::color::RgbBands) has three bands in place of a grid. It is cheap, and its
+//!   documentation says how far its colors are off.
 //!
-//! The price of a path is known while compiling ([`Priced`]). A path that stays the same folds into the eye
-//! in `const fn`, from the eye backwards; then looking along it costs no more than looking at a lamp:
+//! A [`Scene`] is a path that is put together at run time. It lists what its parts cost and finds those whose
+//! effect hardly shows. The [`Price`] of any other path is known while compiling ([`Priced`]).
+//!
+//! # Folding a path into an observer
+//!
+//! All of these stages are linear, so a path that stays the same can be multiplied into the weights of the
+//! observer once. The crate calls this folding. The result is another [`Observer`](crate::Observer): to see a
+//! lamp along the whole path then costs as much as to see the bare lamp. Folding goes backwards, from the
+//! observer to the lamp, and is `const fn` for all matter of this crate:
 //!
 //! ```
 //! use nanospectra::matter::{Dye, Mirror, Polarizer};
@@ -45,7 +56,7 @@
 //!     &Light::from_bins([0.0, 1.0, 0.0]),
 //!     0.9,
 //! ));
-//! // The vest, seen in the lake through the sheet, under the lamp with something before it.
+//! // A fluorescent vest, reflected by a lake and seen through a polarizer.
 //! static FOLDED: Observer<1, 3, Power, Grid> = EYE
 //!     .polarized()
 //!     .through_polarizer(&SHEET)
@@ -59,27 +70,33 @@
 //! assert!((folded - walked).abs() < 4e-7 * walked);
 //! ```
 //!
-//! A read-out that bends ([`DeadTime`](crate::sensor::DeadTime),
-//! [`Nonlinearity`](crate::sensor::Nonlinearity)), saturates or is noisy comes after the eye and is no part
-//! of a path: there linearity ends.
+//! What a sensor does after the light has reached it is not part of a path, since it is not linear: dead time
+//! ([`DeadTime`](crate::sensor::DeadTime)), a curved response
+//! ([`Nonlinearity`](crate::sensor::Nonlinearity)), saturation and noise.
 //!
 //! # What does not compile
 //!
-//! The compiler's messages say what to write instead. Here this stands in the comments:
+//! The compiler refuses paths that have no meaning, and its message says what to write instead. The comments
+//! in these examples say the same.
 //!
+//! Unpolarized light cannot fall on a mirror before it is followed as Stokes vectors:
 //! ```compile_fail,E0277
 //! # use nanospectra::{Light, matter::Mirror};
 //! fn seen(sun: &Light<31>, lake: &Mirror<31>) { let _ = sun.onto(lake); } // sun.polarized().onto(lake)
 //! ```
+//! An observer that a lamp has been folded into cannot look at fluorescent matter any more:
 //! ```compile_fail,E0599
 //! # use nanospectra::{Light, Observer, Power, matter::Dye};
 //! fn seen(eye: &Observer<3, 31, Power>, lamp: &Light<31>, vest: &Dye<31>) {
 //!     eye.under(lamp).looking_at_dye(vest); // eye.looking_at_dye(vest).under(lamp)
 //! }
 //! ```
+//! All stages of a path lie on one grid:
 //! ```compile_fail,E0277
 //! # use nanospectra::{Bins, Light, Reflectance};
-//! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) { let _ = sun.through(glass); } // resample()
+//! fn seen(sun: &Light<31>, glass: &Reflectance<31, Bins<400, 700>>) {
+//!     let _ = sun.through(glass); // sun.through(&glass.resample())
+//! }
 //! ```
 
 mod effect;

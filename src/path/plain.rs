@@ -1,4 +1,4 @@
-//! Light with one number for each bin.
+//! Unpolarized light on its way, with one number for each bin.
 
 use crate::observer::Stimulus;
 use crate::path::on_its_way::on_its_way;
@@ -11,7 +11,10 @@ impl<Q, const N: usize, G> Priced for Spectrum<Q, N, G> {
     const PRICE: Price = Price::light(N);
 }
 
-/// Light `L` dimmed by the factors `F` of a filter or surface; worked out when it is read.
+/// A path stage in which each bin of light `L` is multiplied by a factor `F` of a filter or surface.
+///
+/// [`Plain::through`] and [`Plain::onto`] make it of a spectrum of factors. Its bins are computed when they
+/// are read.
 #[derive(Clone, Copy, Debug)]
 pub struct Times<L, F> {
     pub(super) light: L,
@@ -30,15 +33,34 @@ impl<Q, L: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Times<L, 
     }
 }
 
-/// Light on its way: the quantity `Q`, by way of the stages in `P`. Nothing is worked out before it is read.
+/// Unpolarized light that has passed through the stages `P` of a path, one number of the quantity `Q` for
+/// each bin.
 ///
-/// `Q` is [`Power`] for a path that starts with a light, and `Factor` for one that starts with a reflectance,
-/// which is for an eye that has the light folded in.
+/// `light.through(&filter)` and `light.onto(&surface)` make it. Go on with [`through`](Self::through) and
+/// [`onto`](Self::onto), and show it to an observer ([`Observer::sees`](crate::Observer::sees)) or
+/// [collect](Self::collected) it to a spectrum. Apart from fluorescence, nothing is computed before that.
+///
+/// `Q` is [`Power`] for a path that starts with a light. For a path that starts with a reflectance it is
+/// [`Factor`]; an observer sees such a path if a light has been folded into it
+/// ([`Observer::under`](crate::Observer::under)).
+///
+/// # Example
+/// ```
+/// use nanospectra::{Light, Reflectance};
+/// let (sun, glass, paper) = (Light::<31>::flat(1.0), Reflectance::flat(0.5), Reflectance::flat(0.8));
+/// let path = sun.through(&glass).onto(&paper).through(&glass);
+/// let reflected: Light<31> = path.collected();
+/// assert!((reflected.values()[0] - 0.5 * 0.8 * 0.5).abs() < 1e-7);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Plain<Q, P>(P, PhantomData<Q>);
 
+on_its_way! { [Q, P] Plain<Q, P>, |path| Plain(path, PhantomData) }
+
 impl<Q, P> Plain<Q, P> {
-    /// Works out all bins, once, to a spectrum that can be read more than once.
+    /// Computes all bins once and returns them as a spectrum, for light that is read more than once.
+    ///
+    /// See the [example](#example).
     #[must_use]
     #[inline]
     pub fn collected<const N: usize, G>(&self) -> Spectrum<Q, N, G>
@@ -49,10 +71,11 @@ impl<Q, P> Plain<Q, P> {
     }
 }
 
-on_its_way! { [Q, P] Plain<Q, P>, |path| Plain(path, PhantomData) }
-
 impl<P> Plain<Power, P> {
-    /// The same light, followed as Stokes vectors from here on: so far it is unpolarized.
+    /// Returns the same light, which is unpolarized so far, as Stokes vectors, so that mirrors, polarizers
+    /// and retarders can follow.
+    ///
+    /// See the [example](Stokes#example).
     #[must_use]
     #[inline]
     pub fn polarized(self) -> Stokes<Natural<P>> {
@@ -73,14 +96,18 @@ impl<Q, P: Stimulus<Q, N, G>, const N: usize, G> Stimulus<Q, N, G> for Plain<Q, 
 }
 
 impl<Q, const N: usize, G> Spectrum<Q, N, G> {
-    /// This light behind a filter: the beginning of a [path](crate::path).
+    /// Starts a [path](crate::path) with this light and the filter that it goes through first.
+    ///
+    /// See the [example](crate::path#example).
     #[must_use]
     #[inline]
     pub fn through<'a, F: Filter<Plain<Q, &'a Self>>>(&'a self, filter: F) -> F::Leaving {
         filter.transmit(Plain::new(self))
     }
 
-    /// What a surface sends back of this light: the beginning of a [path](crate::path).
+    /// Starts a [path](crate::path) with this light and the surface that it falls on first.
+    ///
+    /// See the [example](crate::path#example).
     #[must_use]
     #[inline]
     pub fn onto<'a, S: Surface<Plain<Q, &'a Self>>>(&'a self, surface: S) -> S::Leaving {
@@ -89,7 +116,9 @@ impl<Q, const N: usize, G> Spectrum<Q, N, G> {
 }
 
 impl<const N: usize, G> Spectrum<Power, N, G> {
-    /// This light, followed as Stokes vectors from here on: so far it is unpolarized.
+    /// Starts a [path](crate::path) of polarized light with this unpolarized light.
+    ///
+    /// See the [example](Stokes#example).
     #[must_use]
     #[inline]
     pub fn polarized(&self) -> Stokes<Natural<&Self>> {

@@ -1,4 +1,4 @@
-//! Light as Stokes vectors.
+//! Polarized light on its way, as Stokes vectors.
 
 use crate::matter::{Mirror, Mueller, Polarizer, Retarder};
 use crate::observer::Stimulus;
@@ -6,26 +6,32 @@ use crate::path::on_its_way::on_its_way;
 use crate::path::{Effects, Filter, IntoPart, Part, Plain, Price, Priced, Surface, Times};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// A path of Stokes vectors, in `N` bins of the grid `G`.
+/// Types of stages that give a Stokes vector for each of `N` bins of the grid `G`.
+///
+/// Implement it for a source of polarized light of your own, and start a path with it by [`Stokes::new`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no path of polarized light in {N} bins of `{G}`",
     note = "all stages lie on one grid"
 )]
 pub trait StokesPath<const N: usize, G> {
-    /// What one element after it costs.
+    /// How much one mirror, polarizer or retarder adds to the price of the path.
     const TURNED: Price = Mueller::<N, G>::PRICE;
 
-    /// I, Q, U and V of bin `k`; NaN beyond the last.
+    /// Returns the Stokes parameters I, Q, U and V of bin `k`, which are NaN beyond the last bin.
     fn stokes_at(&self, k: usize) -> [f32; 4];
 
-    /// The same after an element.
+    /// Returns the Stokes parameters of bin `k` after the light has met the mirror, polarizer or retarder
+    /// with this Mueller matrix.
     #[inline]
     fn turned_at(&self, k: usize, element: &Mueller<N, G>) -> [f32; 4] {
         element.turn(k, self.stokes_at(k))
     }
 }
 
-/// Light whose polarization is known: what mirrors, polarizers and retarders need.
+/// Types of light whose polarization is known, as mirrors, polarizers and retarders need it.
+///
+/// [`Stokes`] light implements it. There is nothing to call here: mirrors, polarizers and retarders accept
+/// the light that implements it; see the [example](Stokes#example).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not polarized light in {N} bins of `{G}`",
     label = "needs polarized light",
@@ -33,10 +39,10 @@ pub trait StokesPath<const N: usize, G> {
     note = "or leave the effect out by name: `.onto(&mirror.ignoring_polarization())`"
 )]
 pub trait Polarized<const N: usize, G> {
-    /// The path of Stokes vectors.
+    /// The type of the stages, which give Stokes vectors.
     type Light: StokesPath<N, G>;
 
-    /// The path of Stokes vectors.
+    /// Returns the stages, which give Stokes vectors.
     fn into_stokes(self) -> Self::Light;
 }
 
@@ -49,31 +55,57 @@ impl<P: StokesPath<N, G>, const N: usize, G> Polarized<N, G> for Stokes<P> {
     }
 }
 
-/// Light on its way as Stokes vectors (I, Q, U, V) in the unit of the light, by way of the stages in `P`.
-/// Nothing is worked out before it is read.
+/// Polarized light that has passed through the stages `P` of a path, one Stokes vector (I, Q, U, V) in the
+/// unit of the light for each bin.
 ///
-/// Directions across the beam are angles from a reference direction that the user chooses, counterclockwise
-/// for who looks at the source. The path is *unfolded*: what follows a mirror is named as it is seen in that
-/// mirror. Q > 0 along the reference, U > 0 at 45 degrees. So a mirror met at right angles only dims all
-/// four.
+/// `light.polarized()` makes it. Go on with [`through`](Self::through) and [`onto`](Self::onto), and make it
+/// plain again by [`ignoring_polarization`](Self::ignoring_polarization) for an observer. Apart from
+/// fluorescence, nothing is computed before it is read.
+///
+/// Angles of polarization are measured from a reference direction across the beam, which you choose,
+/// counterclockwise as seen by somebody who looks towards the source. Light along the reference has Q > 0,
+/// and light at 45 degrees to it U > 0. A mirror does not turn the reference: whatever follows a mirror is
+/// described as it is seen in that mirror, so a mirror at normal incidence dims all four numbers alike.
+///
+/// # Example
+/// ```
+/// use nanospectra::matter::Polarizer;
+/// use nanospectra::{Bins, Light};
+///
+/// type Grid = Bins<400, 700>;
+/// // Two ideal polarizers at an angle of 45 degrees (an eighth of a turn).
+/// let (first, second) = (Polarizer::<3, Grid>::ideal(0.0), Polarizer::ideal(0.125));
+/// let lamp = Light::<3, Grid>::flat(1.0);
+/// let light = lamp.polarized().through(&first).through(&second);
+/// // The first passes half of the light, and by Malus's law the second passes cos^2(45 degrees) of that.
+/// let [i, q, u, v] = light.stokes_at(0);
+/// assert!((i - 0.25).abs() < 1e-6 && q.abs() < 1e-6 && (u - 0.25).abs() < 1e-6 && v.abs() < 1e-6);
+/// let seen: Light<3, Grid> = light.ignoring_polarization().collected();
+/// assert!((seen.values()[0] - 0.25).abs() < 1e-6);
+/// ```
 ///
 /// # Accuracy
-/// 3e-7 of the light that meets it, for each element; I is at least the root of Q^2 + U^2 + V^2 to within
-/// that (`tests/matter/polarization.rs`). Next to extinction, where a difference is left, that is more of
-/// what is left.
+/// Each mirror, polarizer or retarder adds an error of 3e-7 of the light that meets it. I is not smaller than
+/// the root of Q^2 + U^2 + V^2 by more than that (`tests/matter/polarization.rs`). Where almost all light is
+/// extinguished, the same error is a larger part of what remains.
 #[derive(Clone, Copy, Debug)]
 pub struct Stokes<P>(P);
 
+on_its_way! { [P] Stokes<P>, |path| Stokes(path) }
+
 impl<P> Stokes<P> {
-    /// The intensity alone, as an eye or a sensor reads it. What comes after this treats the light as
-    /// unpolarized.
+    /// Returns the intensity alone, as an observer or a sensor reads it.
+    ///
+    /// Stages that follow treat the light as unpolarized. See the [example](#example).
     #[must_use]
     #[inline]
     pub fn ignoring_polarization(self) -> Plain<Power, IgnoringPolarization<P>> {
         Plain::new(IgnoringPolarization(self.0))
     }
 
-    /// I, Q, U and V of bin `k`; NaN beyond the last.
+    /// Returns the Stokes parameters I, Q, U and V of bin `k`, which are NaN beyond the last bin.
+    ///
+    /// See the [example](#example).
     #[must_use]
     #[inline]
     pub fn stokes_at<const N: usize, G>(&self, k: usize) -> [f32; 4]
@@ -84,9 +116,9 @@ impl<P> Stokes<P> {
     }
 }
 
-on_its_way! { [P] Stokes<P>, |path| Stokes(path) }
-
-/// Unpolarized light as Stokes vectors: I, 0, 0, 0.
+/// A path stage that gives unpolarized light as Stokes vectors, in which Q, U and V are zero.
+///
+/// [`Plain::polarized`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct Natural<P>(pub(super) P);
 
@@ -109,7 +141,9 @@ impl<P: Stimulus<Power, N, G>, const N: usize, G> StokesPath<N, G> for Natural<P
     }
 }
 
-/// Stokes light `L` dimmed by the factors `F` of a filter, all four numbers alike.
+/// A path stage in which all four numbers of Stokes light `L` are multiplied by a factor `F` of a filter.
+///
+/// [`Stokes::through`] makes it of a spectrum of factors.
 #[derive(Clone, Copy, Debug)]
 pub struct Dimmed<L, F> {
     light: L,
@@ -129,7 +163,7 @@ impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Dimmed<L, &Spe
     }
 }
 
-/// Colored glass: it dims all polarizations alike.
+/// Colored glass dims all polarizations alike.
 impl<'m, P: StokesPath<N, G>, const N: usize, G> Filter<Stokes<P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Stokes<Dimmed<P, &'m Spectrum<Factor, N, G>>>;
 
@@ -139,7 +173,7 @@ impl<'m, P: StokesPath<N, G>, const N: usize, G> Filter<Stokes<P>> for &'m Spect
     }
 }
 
-/// A matt surface: what it scatters back has forgotten how it was polarized.
+/// A matt surface scatters light back unpolarized.
 impl<'m, P: StokesPath<N, G>, const N: usize, G> Surface<Stokes<P>> for &'m Spectrum<Factor, N, G> {
     type Leaving = Plain<Power, Times<IgnoringPolarization<P>, &'m Spectrum<Factor, N, G>>>;
 
@@ -149,7 +183,9 @@ impl<'m, P: StokesPath<N, G>, const N: usize, G> Surface<Stokes<P>> for &'m Spec
     }
 }
 
-/// Stokes light `L` after the element `M`.
+/// A path stage in which Stokes light `L` has met a mirror, polarizer or retarder with Mueller matrix `M`.
+///
+/// [`Stokes::onto`] and [`Stokes::through`] make it.
 #[derive(Clone, Copy, Debug)]
 pub struct Turned<L, M> {
     light: L,
@@ -168,8 +204,8 @@ impl<L: StokesPath<N, G>, const N: usize, G> StokesPath<N, G> for Turned<L, &Mue
     }
 }
 
-/// What can be done with an element of a Mueller matrix: light falls on it or goes through it, and a scene
-/// holds it.
+/// Makes references to matter with a Mueller matrix surfaces or filters of polarized light, and parts of
+/// scenes.
 macro_rules! elements {
     ($($element:ident, $name:literal: $kind:ident by $function:ident;)*) => {$(
         impl<'m, L: Polarized<N, G>, const N: usize, G> $kind<L> for &'m $element<N, G> {
@@ -195,7 +231,9 @@ elements! {
     Retarder, "retarder": Filter by transmit;
 }
 
-/// The intensity of Stokes light `P`, its polarization ignored.
+/// A path stage that gives the intensity of Stokes light `P` and ignores its polarization.
+///
+/// [`Stokes::ignoring_polarization`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct IgnoringPolarization<P>(P);
 

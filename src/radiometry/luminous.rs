@@ -1,15 +1,18 @@
-//! Photometry: power weighted by what the eye makes of it.
+//! Photometry, which weights power by the sensitivity of the eye.
 
 use crate::observer::{KM, KM_SCOTOPIC, V_PHOTOPIC, V_SCOTOPIC};
 use crate::spectrum::{Fine, Power};
 
-/// Luminous quantity of a spectral power: lx for W m-2 nm-1, lm for W nm-1, cd m-2 for radiance.
+/// Returns the illuminance, in lx, of a spectral irradiance in W/(m2 nm).
 ///
-/// 683.002 lm/W times the 1 nm sum with V(lambda).
+/// It is 683.002 lm/W times the sum of the spectrum with V(lambda) in 1 nm steps. The same sum makes lm of
+/// W/nm, cd of W/(sr nm), and cd/m2 of W/(m2 sr nm). With
+/// [`Irradiance::luminous`](crate::radiometry::Irradiance::luminous) and its siblings the result has a unit.
 ///
 /// # Reference
 /// CIE 18:2019.
 ///
+/// # Example
 /// ```
 /// # use nanospectra::{Fine, radiometry::illuminance};
 /// let mut green = Fine::flat(0.0);
@@ -22,16 +25,31 @@ pub fn illuminance(light: &Fine<Power>) -> f32 {
     KM * sum
 }
 
-/// As [`illuminance`] for the dark-adapted eye: 1700 lm/W times the sum with V'(lambda).
+/// Returns the scotopic illuminance, in scotopic lx, of a spectral irradiance in W/(m2 nm).
+///
+/// It is what [`illuminance`] is for the dark-adapted eye: 1700 lm/W times the sum with V'(lambda).
+///
+/// # Reference
+/// CIE 18:2019.
+///
+/// # Example
+/// ```
+/// # use nanospectra::{Fine, radiometry::scotopic_illuminance};
+/// let mut cyan = Fine::flat(0.0);
+/// let _ = cyan.add_line(507.0, 1.0); // 1 W/m2 at the peak of night vision
+/// assert!((scotopic_illuminance(&cyan) / 1700.0 - 1.0).abs() < 1e-3);
+/// ```
 #[must_use]
 pub fn scotopic_illuminance(light: &Fine<Power>) -> f32 {
     let [sum] = V_SCOTOPIC.sees(light);
     KM_SCOTOPIC * sum
 }
 
-/// Luminous efficacy of the radiation, lm/W: light for each watt between 360 and 830 nm; `None`
-/// if there is no power.
+/// Returns the luminous efficacy of radiation, in lm/W, of a spectrum on any scale.
 ///
+/// It counts the lumens for each watt between 360 and 830 nm. Returns `None` if the spectrum has no power.
+///
+/// # Example
 /// ```
 /// # use nanospectra::{light::D65, radiometry::luminous_efficacy};
 /// let d65 = D65.fine();

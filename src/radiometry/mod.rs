@@ -1,15 +1,37 @@
-//! From power to what it does: lumens, non-visual stimulation, photons for plants; the quantities of
-//! radiometry with their relations; solid angles and form factors. (Directions are in
-//! [`geometry`](crate::geometry).)
+//! Computes how much light there is, how it spreads from a source to a surface, and what it does there.
 //!
-//! Six quantities, [`Energy`], [`Flux`], [`Intensity`], [`Irradiance`], [`Exitance`] and [`Radiance`], carry
-//! [`Radiant`] (watts), [`Luminous`] (lumens) or [`Scotopic`] numbers, or a whole spectrum in watts for each
-//! nanometer: `Irradiance<Light<16>>` is a spectral irradiance, `Irradiance<Luminous>` (or [`Lux`]) an
-//! illuminance. They follow from each other by distance, area, solid angle and cosine, and radiance from
-//! irradiance by a BRDF ([`PerSr`]); a quotient by zero is the largest f32, by a relation as by `/`;
-//! quantities and units that do not belong together do not compile. (Which eye counts the lumens of a
-//! spectrum is the caller's word: `luminous_by` takes any observer of one row for V(lambda).)
+//! This is the module for a lighting bench, a light meter or a renderer that reports in lux and cd/m2.
 //!
+//! # What a measured spectrum does
+//!
+//! A spectral irradiance with 1 nm steps, a [`Fine<Power>`](crate::Fine) in W/(m2 nm), is converted
+//!
+//! * to lux by [`illuminance`], and for the dark-adapted eye by [`scotopic_illuminance`];
+//! * to photons for plants (PPFD) by [`ppfd`];
+//! * to the response of the five photoreceptors, among them melanopsin, by [`AlphaOpic`] (CIE S 026);
+//! * to lumens per watt by [`luminous_efficacy`].
+//!
+//! # Quantities with units
+//!
+//! | quantity | radiant unit | luminous unit | luminous type | says |
+//! |---|---|---|---|---|
+//! | [`Energy`] | J | lm s | [`Talbot`] | how much light there is in a pulse |
+//! | [`Flux`] | W | lm | [`Lumen`] | how much a lamp emits in a second |
+//! | [`Intensity`] | W/sr | cd | [`Candela`] | how much a small source emits in a direction |
+//! | [`Irradiance`] | W/m2 | lx | [`Lux`] | how much arrives at a surface |
+//! | [`Exitance`] | W/m2 | lm/m2 | | how much leaves a surface |
+//! | [`Radiance`] | W/(m2 sr) | cd/m2 | [`Nit`] | how bright a surface looks from a direction |
+//!
+//! Each of them carries a [`Radiant`], a [`Luminous`] or a [`Scotopic`] number, or a whole spectrum in watts
+//! per nanometer: `Irradiance<Light<16>>` is a spectral irradiance, and `Irradiance<Luminous>`, or [`Lux`],
+//! an illuminance. Start with `new`, or with `From<f32>` for a single number.
+//!
+//! Methods lead from one quantity to another by distance, area, solid angle or the cosine of an angle. A BRDF
+//! makes radiance of irradiance ([`PerSr`]). What would be infinite after a division by zero is the largest
+//! f32 instead. Directions and integrals over the hemisphere are in [`geometry`](crate::geometry), the
+//! geometry of sources in [`solid_angle`] and [`form_factor`].
+//!
+//! # Example
 //! ```
 //! use nanospectra::radiometry::{Flux, Radiance, form_factor};
 //! use nanospectra::{Curve, Light, Observer, Power, observer::V_PHOTOPIC};
@@ -23,6 +45,32 @@
 //! assert_eq!(format!("{:.2}", on_desk.radiant()), "1.55 W/m2");
 //! assert_eq!(format!("{:.0}", on_desk.luminous_by(&V)), "324 lx");
 //! ```
+//!
+//! # What the compiler refuses
+//!
+//! Quantities and units that do not belong together are different types. An illuminance is not an intensity:
+//!
+//! ```compile_fail
+//! # use nanospectra::radiometry::{Candela, Lux};
+//! let sum = Lux::from(300.0) + Candela::from(100.0);
+//! ```
+//!
+//! Watts are not lumens:
+//!
+//! ```compile_fail
+//! # use nanospectra::radiometry::{Irradiance, Lux, Radiant};
+//! let sum = Lux::from(300.0) + Irradiance::new(Radiant(1.0));
+//! ```
+//!
+//! What arrives at a surface is not what leaves it:
+//!
+//! ```compile_fail
+//! # use nanospectra::radiometry::{Exitance, Irradiance, Radiant};
+//! let sum = Irradiance::new(Radiant(1.0)) + Exitance::new(Radiant(1.0));
+//! ```
+//!
+//! The compiler cannot check which eye counts the lumens of a spectrum: `luminous_by` accepts any observer
+//! with one row, and relies on its caller to pass V(lambda).
 
 mod alpha_opic;
 mod luminous;

@@ -1,13 +1,17 @@
-//! Light counted in photons, as plants do.
+//! Counts light in photons, which is what drives photosynthesis.
 
 use crate::spectrum::{Fine, Power};
 
-/// h c N_A in J nm / umol: one umol of photons of wavelength lambda carries this over lambda.
+/// The constant h c N_A, in J nm / umol: one umol of photons carries this over their wavelength.
 const J_NM_PER_UMOL: f32 = 119.626_566;
 
-/// Photosynthetic photon flux density, umol m-2 s-1, of a spectral irradiance in W m-2 nm-1:
-/// photons of 400..=700 nm, both ends counted (301 nodes), vacuum wavelengths.
+/// Returns the photosynthetic photon flux density (PPFD), in umol/(m2 s), of a spectral irradiance in W/(m2
+/// nm).
 ///
+/// It counts the photons of 400..=700 nm in 1 nm steps, with both ends included, by their wavelengths in
+/// vacuum.
+///
+/// # Example
 /// ```
 /// # use nanospectra::{Fine, radiometry::ppfd};
 /// let mut red = Fine::flat(0.0);

@@ -1,4 +1,4 @@
-//! A screen: what it emits for an RGB.
+//! The light that a display emits for an RGB.
 
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix64, apply, apply64, inverse64, rounded, scale_columns64};
@@ -8,12 +8,16 @@ use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Interpolation, Power, Spectrum};
 
-/// A display with three primaries whose spectra are known: the RGB it needs for a color, and the light that
-/// leaves it then.
+/// A display whose three primaries have known spectra, which computes the light that leaves it for an RGB.
 ///
-/// Two displays that show the same color emit different spectra, and agree only for the observer they were
-/// matched for.
+/// Make it from measured spectra ([`new`](Self::new)) or take a nominal one ([`led`](Self::led),
+/// [`lcd`](Self::lcd)). [`rgb`](Self::rgb) computes the RGB that it needs for a color, and
+/// [`emits`](Self::emits) its light for an RGB.
 ///
+/// Two displays that show the same color emit different spectra. For an observer other than the one that they
+/// were matched for, the two colors differ.
+///
+/// # Example
 /// ```
 /// use nanospectra::{Curve, Nodes, Observer, Power, observer::CIE_1931, upsample::Display};
 /// static EYE: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Curve::Step);
@@ -31,25 +35,28 @@ pub struct Display<const N: usize, G = Bins<380, 730>> {
     from_xyz: [[f32; 3]; 3],
 }
 
-/// x, y of D65 as the RGB standards round it.
+/// The chromaticity of D65, as the RGB standards round it.
 const D65: [f64; 2] = [0.3127, 0.3290];
 
 impl<const N: usize, G: Grid> Display<N, G> {
-    /// From the measured spectra of red, green and blue at full drive, and the eye to match colors for; for
-    /// `const` use. In the units of both: W/sr/m2/nm and an eye times [`KM`](crate::observer::KM) make cd/m2.
+    /// Makes a display from the measured spectra of red, green and blue at full drive, for the observer that
+    /// colors are matched for; for `const` use.
     ///
-    /// Primaries whose colors lie on a line have no inverse, and their `rgb` means nothing.
+    /// Its colors have the units of the spectra and the observer: spectra in W/sr/m2/nm and an observer
+    /// scaled by [`KM`](crate::observer::KM) give cd/m2.
+    ///
+    /// If the colors of the primaries lie on a line, [`rgb`](Self::rgb) has no meaning.
     #[must_use]
     pub const fn new(primaries: [Spectrum<Power, N, G>; 3], eye: &Observer<3, N, Power, G>) -> Self {
         let seen = seen(&primaries, eye);
         Display { primaries, to_xyz: rounded(&seen), from_xyz: rounded(&inverse64(&seen)) }
     }
 
-    /// As [`new`](Self::new), the primaries scaled so that RGB (1, 1, 1) has chromaticity `white_xy` and Y =
-    /// 100.
+    /// Makes a display whose primaries are scaled so that RGB (1, 1, 1) has the chromaticity `white_xy` and
+    /// Y = 100.
     ///
-    /// A white with y = 0 has no such scale, and one that the primaries cannot make takes a negative amount
-    /// of one.
+    /// It is otherwise made as by [`new`](Self::new). The y of the white must not be 0. If the primaries
+    /// cannot make the white, one of them is scaled by a negative factor.
     #[must_use]
     pub const fn balanced(
         primaries: [Spectrum<Power, N, G>; 3],
@@ -75,8 +82,10 @@ impl<const N: usize, G: Grid> Display<N, G> {
         }
     }
 
-    /// A nominal LED wall, D65 and Y = 100 at white: bells (1 + d^2 / w^2)^-4 about 630, 525 and 465 nm with
-    /// half widths of 9, 16 and 11 nm.
+    /// Makes a nominal LED wall, whose white has the chromaticity of D65 and Y = 100.
+    ///
+    /// The primaries are bells (1 + d^2 / w^2)^-4 about 630, 525 and 465 nm with half widths of 9, 16 and 11
+    /// nm. See the [example](#example).
     #[must_use]
     pub const fn led(eye: &Observer<3, N, Power, G>) -> Self {
         let red = bell::<Power, N, G>(630.0, 9.0);
@@ -85,8 +94,11 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Self::balanced([red, green, blue], D65, eye)
     }
 
-    /// A nominal LCD, D65 and Y = 100 at white: the CIE's white LED B4 (5100 K) through three filters, bells
-    /// as above about 640, 535 and 455 nm with half widths of 45, 38 and 32 nm, and 1 % of light that leaks.
+    /// Makes a nominal LCD, whose white has the chromaticity of D65 and Y = 100.
+    ///
+    /// Its light is the CIE's white LED B4 (5100 K) behind three filters. These are bells as of
+    /// [`led`](Self::led) about 640, 535 and 455 nm with half widths of 45, 38 and 32 nm, and 1 % of light
+    /// leaks through. See the [example](#example).
     #[must_use]
     pub const fn lcd(eye: &Observer<3, N, Power, G>) -> Self {
         let lamp: Spectrum<Power, N, G> = LED_B4_1NM.interpolate(Interpolation::Linear);
@@ -96,13 +108,13 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Self::balanced([red, green, blue], D65, eye)
     }
 
-    /// The spectra of red, green and blue at full drive.
+    /// Returns the spectra of red, green and blue at full drive.
     #[must_use]
     pub const fn primaries(&self) -> &[Spectrum<Power, N, G>; 3] {
         &self.primaries
     }
 
-    /// The light it emits for a linear RGB of its own.
+    /// Returns the spectrum that the display emits for a linear RGB of its own. See the [example](#example).
     #[must_use]
     pub fn emits(&self, rgb: [f32; 3]) -> Spectrum<Power, N, G> {
         let [red, green, blue] = &self.primaries;
@@ -114,23 +126,28 @@ impl<const N: usize, G: Grid> Display<N, G> {
         Spectrum::from_bins(values)
     }
 
-    /// The color of that light to the eye it was made for: Y = 100 for RGB (1, 1, 1) of a
-    /// [`balanced`](Self::balanced) display, in the units of the spectra and the eye otherwise.
+    /// Returns the color of the light that the display emits for a linear RGB of its own, for the observer
+    /// that it was made for.
+    ///
+    /// For a [`balanced`](Self::balanced) display RGB (1, 1, 1) has Y = 100; for others the color has the
+    /// units of the spectra and the observer. See the [example](#example).
     #[must_use]
     pub const fn xyz(&self, rgb: [f32; 3]) -> Xyz {
         let [x, y, z] = apply(&self.to_xyz, rgb);
         Xyz { x, y, z }
     }
 
-    /// The linear RGB it needs for a color, in the same units as [`xyz`](Self::xyz) gives; below 0 or above 1
-    /// if it cannot show it.
+    /// Returns the linear RGB that the display needs to show a color, which is given in the units of
+    /// [`xyz`](Self::xyz).
+    ///
+    /// A component is below 0 or above 1 if the display cannot show the color. See the [example](#example).
     #[must_use]
     pub const fn rgb(&self, color: Xyz) -> [f32; 3] {
         apply(&self.from_xyz, color.to_array())
     }
 }
 
-/// XYZ of each primary, as columns.
+/// Returns the XYZ of each primary, as columns.
 const fn seen<const N: usize, G: Grid>(
     primaries: &[Spectrum<Power, N, G>; 3],
     eye: &Observer<3, N, Power, G>,
@@ -145,7 +162,7 @@ const fn seen<const N: usize, G: Grid>(
     matrix
 }
 
-/// (1 + d^2 / w^2)^-4 with w so that `half_nm` from the center half is left.
+/// Returns (1 + d^2 / w^2)^-4, where w is such that the value is one half at `half_nm` from the center.
 const fn bell<Q, const N: usize, G: Grid>(center_nm: f64, half_nm: f64) -> Spectrum<Q, N, G> {
     // 2^(1/4) - 1
     const HALF: f64 = 0.189_207_115_002_721_07;

@@ -1,4 +1,4 @@
-//! From a color to a spectrum by one call, under the name that red, green and blue have it by too.
+//! `Spectrum::from_rgb`, which makes a spectrum of a color by one call, on a grid or in RGB bands.
 
 use crate::color::matrix::{Matrix64, apply64, inverse64};
 use crate::color::{Rgb, RgbBands, RgbSpace};
@@ -10,14 +10,15 @@ use crate::spectrum::{Factor, Interpolation, Outside, Power, Spectrum};
 use crate::upsample::{Sigmoid, Viewing};
 use core::marker::PhantomData;
 
-/// What the compiler works out for a grid and an RGB space.
+/// The constants that the compiler computes for a grid and an RGB space.
 struct Made<const N: usize, G, S>(PhantomData<(G, S)>);
 
 impl<const N: usize, G: Grid, S: RgbSpace> Made<N, G, S> {
     const EYE: Observer<3, N, Power, G> = Observer::<3, N, Power, G>::standard();
 
-    /// The white of the space, Y = 100: the sum of the CIE's three components of daylight that has its
-    /// chromaticity for this eye on this grid. For the whites that are daylight it is that phase of daylight.
+    /// The white of the space with Y = 100: the sum of the CIE's three components of daylight that has the
+    /// chromaticity of the white for this observer on this grid. If the white of the space is a phase of
+    /// daylight, it is that phase.
     const WHITE: Spectrum<Power, N, G> = {
         let parts: [Spectrum<Power, N, G>; 3] = [
             S0.interpolate_outside(Interpolation::Linear, Outside::Hold),
@@ -42,14 +43,16 @@ impl<const N: usize, G: Grid, S: RgbSpace> Made<N, G, S> {
     const SIGMOID: Sigmoid<N, G, S> = Sigmoid::new(&Viewing::new(&Self::EYE.under(&Self::WHITE)));
 }
 
-/// What can be made from a color of the space `S`: surfaces and lights in [`RgbBands`] of that space, or on
-/// any [`Grid`].
+/// Spectra that can be made from a color of the RGB space `S`.
+///
+/// These are surfaces and lights on any [`Grid`], and those in [`RgbBands`] of that space. Call
+/// [`Spectrum::from_rgb`] rather than this trait's function; see its [example](Spectrum::from_rgb).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not made from a color of `{S}`",
     note = "a `Light` or a `Reflectance` on a grid is made from any RGB, one in `RgbBands<S>` from `Rgb<S>`"
 )]
 pub trait FromRgb<S> {
-    /// See [`Spectrum::from_rgb`].
+    /// Returns a spectrum that has this color, as [`Spectrum::from_rgb`] describes.
     fn from_rgb(rgb: Rgb<S>) -> Self;
 }
 
@@ -74,27 +77,29 @@ impl<const N: usize, G: Grid, S: RgbSpace> FromRgb<S> for Spectrum<Power, N, G> 
 }
 
 impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
-    /// A light of this color, or a surface of this color under the white of the space; linear RGB. One name
-    /// for spectra and for RGB: code behind one alias compiles for both.
+    /// Makes a light that has this color, or a surface that has it under the white of the RGB space.
     ///
-    /// * In [`RgbBands`] these are the three numbers.
-    /// * A reflectance on a grid is what [`Sigmoid::reflectance`] finds: smooth, within 0..=1, and of this
-    ///   color for [`Observer::standard`] on this grid.
-    /// * A light on a grid is [`Sigmoid::illuminant`] times the white of the space, which is (1, 1, 1) and
-    ///   has Y = 100: the daylight (a sum of the CIE's three components) of the chromaticity of the space.
-    ///   Components may be above 1.
+    /// `rgb` is linear. The function has the same name for a grid and for [`RgbBands`], so that code that is
+    /// written for an alias compiles for both.
+    ///
+    /// * In [`RgbBands`] the values are the three components.
+    /// * A reflectance on a grid is the one that [`Sigmoid::reflectance`] finds: smooth, within 0..=1, and of
+    ///   this color for [`Observer::standard`] on this grid.
+    /// * A light on a grid is [`Sigmoid::illuminant`] times the white of the space. That white stands for
+    ///   RGB (1, 1, 1) and has Y = 100. It is daylight (a sum of the CIE's three components) with the
+    ///   chromaticity that the space defines. Components of the light may be above 1.
     ///
     /// # Accuracy
-    /// The color is the same for both, within 3e-4 CIEDE2000 for every color that a sigmoid can have (all of
-    /// sRGB are), on grids of 6 bands or more that cover 400..=700 nm. What none has becomes the nearest by
-    /// least squares, and a surface brighter than white becomes white: [`Sigmoid`] by itself says so, by a
-    /// [`Status`](crate::upsample::Status). On a grid NaN, infinities and a light above 1.7e38 give NaN.
-    /// After further surfaces and under other lights the spectrum is what a smooth paint can be, and RGB is
-    /// off by what [`RgbBands`] says.
+    /// On grids of 6 bands or more that cover 400..=700 nm, the color is within 3e-4 CIEDE2000 of that in
+    /// [`RgbBands`], for every color that a sigmoid can have; all colors of sRGB are such colors. Any other
+    /// color is replaced by the nearest one in the sense of least squares, and a surface brighter than white
+    /// becomes white. Call [`Sigmoid`] yourself to be told by a [`Status`](crate::upsample::Status). On a
+    /// grid NaN, infinities and a light above 1.7e38 give NaN. After further surfaces and under other lights
+    /// the spectrum behaves as a smooth paint does, and [`RgbBands`] says by how much RGB is off.
     ///
     /// # Cost
-    /// Nothing for RGB. On a grid about 0.5 us on x86-64 at N = 31, and `20 N + 48` bytes of constants for
-    /// each grid and space: for the colors of a scene, when it is built.
+    /// In RGB bands it costs nothing. On a grid it takes about 0.5 us on x86-64 at N = 31, and `20 N + 48`
+    /// bytes of constants for each grid and space. Call it when a scene is built and not for each ray.
     ///
     /// ```
     /// use nanospectra::color::{Rgb, RgbBands, Srgb};

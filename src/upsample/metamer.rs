@@ -1,4 +1,4 @@
-//! What of a spectrum an eye cannot see.
+//! The part of a spectrum that an observer sees, and the part that it does not see.
 
 #[cfg(feature = "libm")]
 use crate::color::Xyz;
@@ -10,11 +10,13 @@ use crate::math::const_for;
 use crate::observer::Observer;
 use crate::spectrum::{Factor, Quantity, Spectrum};
 
-/// Cohen's matrix R of an observer with three channels: it splits a spectrum into its *fundamental*, which is
-/// all the observer sees, and its *metameric black*, which it does not see at all.
+/// Cohen's matrix R of an observer with three channels, which splits a spectrum into a part that the observer
+/// sees and a part that it does not see.
 ///
-/// Two spectra are metamers when their fundamentals are the same; a black of any size can be added.
+/// The two parts are called the [fundamental](Self::fundamental) and the [metameric black](Self::black). Two
+/// spectra are metamers if their fundamentals are the same: a metameric black can be added in any amount.
 ///
+/// # Example
 /// ```
 /// use nanospectra::{Light, Observer, Power, Curve, light, observer::CIE_1931, upsample::CohenR};
 /// use nanospectra::Nodes;
@@ -30,7 +32,8 @@ use crate::spectrum::{Factor, Quantity, Spectrum};
 /// ```
 ///
 /// # Accuracy
-/// The black reads 3e-6 of what the spectrum reads (`tests/upsample/displays.rs`).
+/// Of the metameric black the observer sees at most 3e-6 of what it sees of the spectrum
+/// (`tests/upsample/displays.rs`).
 ///
 /// # Reference
 /// J. B. Cohen, W. E. Kappauf, "Metameric color stimuli, fundamental metamers, and Wyszecki's metameric
@@ -38,15 +41,15 @@ use crate::spectrum::{Factor, Quantity, Spectrum};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CohenR<const N: usize, Q = Factor, G = Bins<380, 730>> {
     eye: Observer<3, N, Q, G>,
-    /// Turns what is seen into the amounts of the eye's own rows.
+    /// An observer whose readings are the amounts of the rows of `eye` in the fundamental.
     dual: Observer<3, N, Q, G>,
 }
 
 impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
-    /// The matrix R of this observer; for `const` use.
+    /// Computes the matrix R of this observer; for `const` use. See the [example](#example).
     ///
-    /// An observer one of whose rows is a mixture of the others (two bands are too few for three) has no R,
-    /// and what this splits means nothing.
+    /// The three rows of the observer have to be independent, which takes three bands at least; otherwise the
+    /// result has no meaning.
     #[must_use]
     pub const fn new(eye: &Observer<3, N, Q, G>) -> Self {
         let rows = eye.weights();
@@ -67,7 +70,10 @@ impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
         CohenR { eye: *eye, dual: Observer::from_weights(dual) }
     }
 
-    /// The part that the observer sees: the smallest of all metamers. It may be below zero in places.
+    /// Returns the part of a spectrum that the observer sees, which is the metamer with the smallest sum of
+    /// squares.
+    ///
+    /// It may be below zero at some wavelengths. See the [example](#example).
     #[must_use]
     pub fn fundamental(&self, spectrum: &Spectrum<Q, N, G>) -> Spectrum<Q, N, G> {
         let [a, b, c] = self.dual.sees(spectrum);
@@ -79,7 +85,7 @@ impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
         Spectrum::from_bins(values)
     }
 
-    /// The part that the observer does not see.
+    /// Returns the part of a spectrum that the observer does not see. See the [example](#example).
     #[must_use]
     pub fn black(&self, spectrum: &Spectrum<Q, N, G>) -> Spectrum<Q, N, G> {
         *spectrum - self.fundamental(spectrum)
@@ -88,11 +94,12 @@ impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
 
 #[cfg(feature = "libm")]
 impl<const N: usize, G: Bands> Observer<3, N, Factor, G> {
-    /// CIEDE2000 between two surfaces, as this eye sees them under the light folded into it: how far two
-    /// metamers drift apart under another lamp. NaN if the light is not visible.
+    /// Returns the color difference CIEDE2000 between two surfaces, as this observer sees them under the
+    /// light that is folded into it.
     ///
-    /// Of two surfaces that match under the first lamp this is the special metamerism index of CIE 15 for a
-    /// change of illuminant (which takes CIE 1976 differences unless another one is stated).
+    /// It says how much two surfaces that match under one lamp differ under another one. For such surfaces it
+    /// is the special metamerism index of CIE 15 for a change of illuminant (for which CIE 15 takes CIE 1976
+    /// differences unless another formula is stated). The result is NaN if the light is not visible.
     #[must_use]
     pub fn delta_e(&self, one: &Spectrum<Factor, N, G>, other: &Spectrum<Factor, N, G>) -> f32 {
         let white = Xyz::from(self.sees(&Spectrum::flat(1.0)));

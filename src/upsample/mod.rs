@@ -1,9 +1,11 @@
-//! The way back: from an RGB or XYZ color to a spectrum that has exactly that color.
+//! Finds a spectrum that has a given RGB or XYZ color: the reflectance of a surface, or a light.
 //!
-//! A renderer, a paint program or a lamp has an RGB and needs a spectrum. Endless spectra have the same
-//! color; what is asked for is one that is possible (a reflectance within 0..=1), smooth, and exact: seen
-//! by the same eye under the same light it gives that RGB back, at every 8-bit code.
+//! A renderer, a paint program or a lamp controller has an RGB and needs a spectrum. Infinitely many spectra
+//! have the same color. The methods of this module find one that is smooth, that a surface can have (a
+//! reflectance within 0..=1), and whose color is exact: the same observer under the same light sees that RGB,
+//! to the last 8-bit code.
 //!
+//! # Example
 //! ```
 //! use nanospectra::color::{EncodedRgb, Srgb};
 //! use nanospectra::light::D65;
@@ -11,7 +13,8 @@
 //! use nanospectra::upsample::{Sigmoid, Status, Viewing};
 //! use nanospectra::{Curve, Nodes, Reflectance};
 //!
-//! // Who looks, under what, on which grid: 31 bands under D65, for sRGB. All of it worked out by the compiler.
+//! // The observer, the light, the grid and the RGB space: 31 bands under D65, for sRGB. The compiler
+//! // computes both constants.
 //! static VIEWING: Viewing<31, Nodes<400, 700>> =
 //!     Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
 //! static SIGMOID: Sigmoid<31, Nodes<400, 700>> = Sigmoid::new(&VIEWING);
@@ -26,7 +29,11 @@
 //! # }
 //! ```
 //!
-//! # Which one
+//! If you need no more than a reflectance or a light for an RGB,
+//! [`Spectrum::from_rgb`](crate::Spectrum::from_rgb) is shorter. It takes the standard observer and the white
+//! of the RGB space, on any grid.
+//!
+//! # Which method to choose
 //!
 //! | method | data, bytes | exact | within 0..=1 | linear | shape |
 //! |---|---|---|---|---|---|
@@ -34,28 +41,31 @@
 //! | [`Basis`] | 8 N | always | for sRGB | yes | three broad bands |
 //! | [`Smits`] | 28 N | no: 0.9 CIEDE2000 in the mean | up to 1.015 | in pieces | ten steps |
 //!
-//! Under another lamp than the one it was made for, a spectrum shows its shape. Against the measured
-//! reflectances of CES99 the sigmoid is off by 1.2 (LED-B3) to 2.2 CIEDE2000 (A) in the mean, the basis by
-//! 1.4 to 3.0: nobody can know more of a paint from three numbers.
+//! Take [`Sigmoid`] unless you need a spectrum that is linear in the RGB, or one in a few nanoseconds; then
+//! take [`Basis`]. [`Smits`] is here to compare with and to reproduce older renderings.
 //!
-//! # Three meanings
+//! Under another light than the one it was made for, the color of a spectrum depends on its shape. Compared
+//! with the measured reflectances of CES99, colors of the sigmoid are then off by 1.2 (LED-B3) to 2.2
+//! CIEDE2000 (A) in the mean, and colors of the basis by 1.4 to 3.0. Three numbers do not say more about a
+//! paint.
 //!
-//! * [`SigmoidReflectance`]: what a surface reflects, 0..=1.
-//! * [`SigmoidUnbounded`]: the same shape times any number: a density, a color that may be above 1.
-//! * [`SigmoidIlluminant`]: light: an unbounded one times the white that (1, 1, 1) stands for.
+//! # What a solution can stand for
 //!
-//! [`Spectrum::from_rgb`](crate::Spectrum::from_rgb) is the short way to a reflectance or a light: by the
-//! standard observer, under the white of the space, on any grid.
+//! * [`SigmoidReflectance`] is the reflectance of a surface, within 0..=1.
+//! * [`SigmoidUnbounded`] is a curve of the same kind times any number: a density, or a color that may be
+//!   above 1.
+//! * [`SigmoidIlluminant`] is a light: an unbounded curve times the white that RGB (1, 1, 1) stands for.
 //!
-//! Around it: [`Display`] (what a screen emits for an RGB), [`kubelka_munk()`] (mixed paints) and
-//! [`CohenR`] (what of a spectrum an eye cannot see).
+//! Beside these methods there are [`Display`] (the light that a screen emits for an RGB), [`kubelka_munk()`]
+//! (mixed paints) and [`CohenR`] (the part of a spectrum that an observer cannot see).
 //!
-//! # The idea
+//! # How the sigmoid is solved
 //!
-//! A smooth spectrum is s = sigma(q0 x^2 + q1 x + q2), with sigma(p) = 1/2 + p / (2 sqrt(1 + p^2)) and x the
-//! wavelength. Three numbers, three conditions: Newton's method. It converges from a start map of a few dozen
-//! numbers because the conditions are asked of u = sigma^-1 (responses) and not of the responses: there a
-//! constant spectrum is a straight line, and the way to black or white is straight as well.
+//! The spectrum is s = sigma(q0 x^2 + q1 x + q2), with sigma(p) = 1/2 + p / (2 sqrt(1 + p^2)) and x
+//! proportional to the wavelength. The three components of the color give three equations for q0, q1 and q2,
+//! which Newton's method solves. It converges in few steps from a starting point that a small polynomial
+//! gives, because the equations are written for sigma^-1 of the observer's responses instead of the responses
+//! themselves: for constant spectra, and towards black and white, they are then linear.
 //!
 //! # Reference
 //! W. Jakob, J. Hanika, "A low-dimensional function space for efficient spectral upsampling", Computer

@@ -1,49 +1,53 @@
-//! Newton's method on u = sigma^-1 (responses): the curve whose three responses are those asked for.
+//! Newton's method, which finds the curve whose three responses are those asked for.
 //!
-//! A response is a = 1/2 + A/2 with A the weighted mean of p / sqrt(1 + p^2), and its slope along q is half
-//! the weighted mean of (1 + p^2)^-3/2 times x^2, x and 1: twelve sums over the grid. Sums run through the
-//! bins in order, one accumulator each, so a color alone, in a batch and on any core adds up to the same
-//! bits; what is done at once is the twelve of them, or several colors.
+//! The equations are written for u = sigma^-1 (response). A response is a = 1/2 + A/2, where A is the
+//! weighted mean of p / sqrt(1 + p^2). Its derivative by q is half the weighted mean of (1 + p^2)^-3/2 times
+//! x^2, x and 1. These are twelve sums over the grid.
+//!
+//! Each sum has one accumulator and runs through the bins in order, so that a color alone, in a batch and on
+//! any core has the same bits. Vectors are used for the twelve sums, or for several colors at once.
 
 use crate::upsample::rsqrt::{rsqrt, rsqrt_near, unsigmoid};
 use crate::upsample::shape::sigmoid;
 use crate::upsample::start::StartMap;
 
-/// For each bin the weight of the three responses, and x.
+/// The weights of the three responses and x, for each bin.
 pub(super) type Rows<const N: usize> = [[f32; 4]; N];
 
-/// For each response: A, and the sums that go with x^2, x and 1.
+/// A and the sums with x^2, x and 1, for each response.
 type Sums = [[f32; 4]; 3];
 
-/// A step that starts with less than this missing, of all three, ends within 3e-6 of the goal, and is the
-/// last one.
+/// A step is the last one if it starts nearer to the goal than this, summed over the three u. It ends within
+/// 3e-6 of the goal.
 const NEAR: f32 = 2e-3;
-/// The same for curves steeper than any of sRGB, where a step gains less.
+/// The same limit for curves that are steeper than any of sRGB, for which a step gains less.
 const NEAR_IF_STEEP: f32 = 1e-4;
-/// Curves with more than this in all three numbers are steep; those of sRGB have 54 at most.
+/// A curve is steep if the sizes of its three numbers add up to more than this. For sRGB they add up to 54 at
+/// most.
 const STEEP: f32 = 64.0;
-/// Undamped steps; sRGB colors on 31 bands or more need 6 at most.
+/// The largest number of undamped steps. Colors of sRGB on 31 bands or more need 6 at most.
 const STEPS: usize = 8;
-/// Damped steps, for what undamped ones do not find.
+/// The largest number of damped steps, for colors that undamped steps do not find.
 const DAMPED_STEPS: usize = 40;
-/// Steps to what is nearest, for what no curve has.
+/// The largest number of steps to the nearest color, for colors that no curve has.
 const NEAREST_STEPS: usize = 40;
-/// The longest damped step from the middle; further out a quarter of the way longer.
+/// The longest damped step that starts at q = 0. A quarter of the size of q is added to it.
 const LONGEST: f32 = 8.0;
-/// Responses nearer than this to 0 or 1 are not asked for.
+/// Responses that are nearer to 0 or 1 than this are replaced by this.
 const LEAST: f32 = 1e-6;
 
-/// A curve; and unless its responses are sure to be those asked for, what they are.
+/// A curve, and its responses unless they are sure to be those asked for.
 pub(super) type Found = ([f32; 3], Option<[f32; 3]>);
 
-/// Can a curve have these responses, as far as each by itself can say?
+/// Returns whether each of these responses, taken by itself, is one that a curve can have.
 #[inline(always)]
 fn possible(responses: [f32; 3]) -> bool {
-    // a (1 - a) is as small as that at both ends, and below zero beyond.
+    // a (1 - a) is about `LEAST` at that distance from 0 and from 1, and is negative outside.
     responses.iter().all(|a| a * (1.0 - a) > LEAST)
 }
 
-/// Kept off 0 and 1. (NaN, which the sums of huge components may be, becomes a number: no curve has either.)
+/// Returns the response, kept away from 0 and 1. (NaN, which may come from the sums of huge components,
+/// becomes a number. No curve has either of them.)
 #[inline(always)]
 fn within(a: f32) -> f32 {
     let a = if a > LEAST { a } else { LEAST };
@@ -55,7 +59,8 @@ fn goal(responses: [f32; 3]) -> [f32; 3] {
     responses.map(|a| unsigmoid(within(a)))
 }
 
-/// The curve of one color, if undamped steps find it; nothing else, for programs that must be small.
+/// Returns the curve of one color if undamped steps find it. It does nothing else, for programs that have to
+/// be small.
 #[inline(always)]
 pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Option<[f32; 3]> {
     if !possible(responses) {
@@ -75,7 +80,7 @@ pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     None
 }
 
-/// The curve of one color.
+/// Returns the curve of one color.
 #[inline(always)]
 pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Found {
     match exact::<N, M>(rows, responses) {
@@ -84,7 +89,7 @@ pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     }
 }
 
-/// The curves of several colors, the same bits as one by one.
+/// Returns the curves of several colors, with the same bits as one by one.
 #[inline(always)]
 pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     rows: &Rows<N>,
@@ -125,7 +130,7 @@ pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     found
 }
 
-/// Up to forty steps of limited length from the middle; if none of them is the last, what is nearest.
+/// Returns the curve that up to forty steps of limited length find from q = 0, or else the nearest one.
 #[inline(never)]
 fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
     let (u, mut q) = (goal(asked), [0.0; 3]);
@@ -148,14 +153,14 @@ fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
     (q, Some(responses(rows, q)))
 }
 
-/// A curve after its last step. Steep ones may be off by what f32 cannot hold, and those of few bands by what
-/// the last step leaves.
+/// Returns a curve after its last step. The responses of a steep curve may be off by rounding in f32, and
+/// those on few bands by what the last step leaves, so for these the responses are computed.
 #[inline(always)]
 fn settled<const N: usize>(rows: &Rows<N>, q: [f32; 3]) -> Found {
     (q, if N < 16 || size(&q) > STEEP { Some(responses(rows, q)) } else { None })
 }
 
-/// What a curve's responses are, small ones to all their digits.
+/// Returns the responses of a curve. Small ones are exact to their last digits.
 #[inline(never)]
 fn responses<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> [f32; 3] {
     let mut sums = [0.0; 3];
@@ -166,9 +171,11 @@ fn responses<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> [f32; 3]
     sums
 }
 
-/// The curve whose responses are nearest to those asked for, by the method of Levenberg and Marquardt: least
-/// squares of what is missing over the square roots of the responses, which is near to what an eye makes of
-/// it.
+/// Returns the curve whose responses are nearest to those asked for, by the method of Levenberg and
+/// Marquardt.
+///
+/// The squares of the differences are divided by the responses asked for, which makes their sum roughly
+/// proportional to the visible difference.
 fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
     let asked = asked.map(within);
     let weights = asked.map(|a| 1.0 / (if a > 0.01 { a } else { 0.01 }));
@@ -181,7 +188,8 @@ fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
     let mut left = missing(q);
     let mut damping = 1e-2;
     for _ in 0..NEAREST_STEPS {
-        // The normal equations, with the slopes of the responses (twice: the halves are in the step).
+        // The normal equations. The sums are twice the derivatives of the responses, which the step accounts
+        // for.
         let ([mut aa, mut ab, mut ac, mut bb, mut bc, mut cc], mut y) = ([0.0; 6], [0.0; 3]);
         for (([_, a, b, c], left), weight) in sums(rows, q).iter().zip(left).zip(weights) {
             (aa, ab, ac) = (aa + weight * a * a, ab + weight * a * b, ac + weight * a * c);
@@ -206,32 +214,33 @@ fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
     q
 }
 
-/// Is the curve, after a step, exact?
+/// Returns whether the curve is exact after this step.
 #[inline(always)]
 fn is_last(q: &[f32; 3], step: &Step) -> bool {
     step.far < if size(q) > STEEP { NEAR_IF_STEEP } else { NEAR }
 }
 
-/// The sum of the sizes of all three; NaN if one is.
+/// Returns the sum of the absolute values of all three, which is NaN if one of them is.
 #[inline(always)]
 fn size([a, b, c]: &[f32; 3]) -> f32 {
     a.abs() + b.abs() + c.abs()
 }
 
 struct Step {
-    /// To be added to the curve.
+    /// The numbers that are added to the curve.
     q: [f32; 3],
-    /// How much of u was missing before, over the three; below `NEAR` the curve is exact after.
+    /// The distance to the goal before the step, summed over the three u. If it is below `NEAR`, the curve is
+    /// exact after the step.
     far: f32,
 }
 
-/// From the sums to the step.
+/// Returns the step that follows from the sums.
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn step(sums: &Sums, u: [f32; 3]) -> Step {
     let (mut goal, mut far) = ([0.0; 3], 0.0);
     for k in 0..3 {
         let a = within(0.5 + 0.5 * sums[k][0]);
-        // du/da = 1/4 (a (1 - a))^-3/2, and da/dq is half the sum.
+        // The derivative du/da is 1/4 (a (1 - a))^-3/2, and da/dq is half the sum.
         let g = a * (1.0 - a);
         let root = rsqrt(g);
         let missing = u[k] - (a - 0.5) * root;
@@ -242,7 +251,7 @@ fn step(sums: &Sums, u: [f32; 3]) -> Step {
     Step { q: solved(&[[a, b, c], [d, e, f], [g, h, i]], goal), far }
 }
 
-/// Cramer's rule.
+/// Solves three linear equations by Cramer's rule.
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32; 3]) -> [f32; 3] {
     let (m0, m1, m2) = (e * i - f * h, f * g - d * i, d * h - e * g);
@@ -253,9 +262,8 @@ fn solved([[a, b, c], [d, e, f], [g, h, i]]: &[[f32; 3]; 3], [y0, y1, y2]: [f32;
     [q0 * per_det, q1 * per_det, q2 * per_det]
 }
 
-/// The twelve sums of several colors. One loop over the lanes with all that is done for a bin in it: long
-/// enough for the compiler to make vectors of it, where loops of one operation each are unrolled to scalars
-/// first.
+/// Returns the twelve sums of several colors. The loop over the lanes holds all that is done for a bin: the
+/// compiler makes vectors of such a loop, while it would unroll loops of one operation each to scalars.
 #[inline(always)]
 fn sums_of_lanes<const L: usize, const N: usize>(
     rows: &Rows<N>,
@@ -287,15 +295,16 @@ fn sums_of_lanes<const L: usize, const N: usize>(
     sums
 }
 
-/// The twelve sums of one color, where there are no vectors.
+/// Returns the twelve sums of one color, on targets without vectors.
 #[cfg(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128"))))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     sums_of_lanes(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
 }
 
-/// The twelve sums of one color. First every term, which goes several bins at a time; then the weights of a
-/// bin, three in a vector, times each of its terms. (The fourth, x times the term, is not used.)
+/// Returns the twelve sums of one color. First all terms are computed, several bins at a time. Then the
+/// weights of a bin, three in a vector, are multiplied by each of its terms. (The fourth product, x times the
+/// term, is not used.)
 #[cfg(not(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128")))))]
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]

@@ -1,49 +1,51 @@
-//! sigma(q0 x^2 + q1 x + q2): three numbers that are a curve over the wavelength.
+//! A curve over the wavelength that three numbers describe: sigma(q0 x^2 + q1 x + q2).
 
 use crate::grid::{Grid, Layout};
 use crate::math::const_for;
 use crate::upsample::rsqrt::rsqrt;
 
-/// A smooth curve within 0..=1: the sigmoid of a quadratic in the wavelength.
+/// A smooth curve over the wavelength that three numbers describe and whose values lie within 0..=1.
 ///
-/// The three numbers are q0, q1, q2 of `sigma(q0 x^2 + q1 x + q2)` with x = (wavelength - 580 nm) / 200 nm,
-/// whatever the grid: a shape that was solved on one grid can be read on any other. Those of sRGB colors
-/// are at most 50 in size and so fit f16, at its three digits.
+/// It is the sigmoid of a quadratic, `sigma(q0 x^2 + q1 x + q2)`, with `sigma(p) = 1/2 + p / (2 sqrt(1 +
+/// p^2))` and x = (wavelength - 580 nm) / 200 nm. Since x does not depend on the grid, a shape that was
+/// solved on one grid can be read on any other. The numbers of sRGB colors are at most 50 in size and so fit
+/// f16, with its three digits.
 ///
-/// Do not interpolate the numbers: the spectrum half way between two shapes is not that of the color half
-/// way. Interpolate RGB before, or spectra after.
+/// Do not interpolate the three numbers: the curve half way between two shapes does not have the color half
+/// way between their colors. Interpolate the RGB before, or the spectra after.
+///
+/// # Example
+/// ```
+/// use nanospectra::upsample::Shape;
+/// let edge = Shape { q: [0.0, 20.0, 0.0] }; // a step up at 580 nm
+/// assert_eq!(edge.at(580.0), 0.5);
+/// assert!(edge.at(480.0) < 0.01 && edge.at(680.0) > 0.99);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape {
-    /// q0, q1, q2.
+    /// The numbers q0, q1 and q2 that describe the curve.
     pub q: [f32; 3],
 }
 
-/// x = 0, in nm.
+/// The wavelength in nm at which x is 0.
 const CENTER_NM: f64 = 580.0;
-/// x = 1 is this much above it, in nm.
+/// The distance in nm over which x grows by 1.
 const REACH_NM: f64 = 200.0;
 
 impl Shape {
-    /// The curve at a wavelength in nm, 0..=1.
-    ///
-    /// ```
-    /// use nanospectra::upsample::Shape;
-    /// let edge = Shape { q: [0.0, 20.0, 0.0] }; // a step up at 580 nm
-    /// assert_eq!(edge.at(580.0), 0.5);
-    /// assert!(edge.at(480.0) < 0.01 && edge.at(680.0) > 0.99);
-    /// ```
+    /// Returns the value of the curve at a wavelength in nm, within 0..=1. See the [example](#example).
     ///
     /// # Accuracy
-    /// Of the sigmoid itself 3.4e-7 relative, however near to 0 (`tests/upsample/digits.rs`).
+    /// The sigmoid itself is within 3.4e-7, relative, however near to 0 it is (`tests/upsample/digits.rs`).
     #[must_use]
     #[inline]
     pub fn at(self, nm: f32) -> f32 {
         self.at_x((nm - CENTER_NM as f32) * (1.0 / REACH_NM) as f32)
     }
 
-    /// `offset + scale * curve` at the centers of the bins of a grid; eight at a time, the rest filled up to
-    /// eight.
+    /// Returns `offset + scale * curve` at the centers of the bins of a grid. Eight are computed at a time,
+    /// and the rest are filled up to eight.
     #[inline]
     pub(super) fn on_grid<const N: usize, G: Grid>(self, offset: f32, scale: f32) -> [f32; N] {
         let eight = |x: &[f32; 8]| {
@@ -78,19 +80,20 @@ impl Shape {
     }
 }
 
-/// 1/2 + p / (2 sqrt(1 + p^2)) without the cancellation, which takes all digits at p = -1e4.
+/// Returns 1/2 + p / (2 sqrt(1 + p^2)), computed without the cancellation, which at p = -1e4 would leave no
+/// digit.
 #[inline(always)]
 pub(super) fn sigmoid(p: f32) -> f32 {
     let size = p.abs();
     let r = rsqrt(1.0 + size * size);
-    // Beyond 1e18 the square is near its overflow, and the share below 1e-36.
+    // Beyond 1e18 the square is near overflow, and the result is below 1e-36.
     let small = 0.5 * r * r / (1.0 + size * r);
     let small = if size > 1e18 { 0.0 } else { small };
     let large = 1.0 - small;
     if p < 0.0 { small } else { large }
 }
 
-/// The centers of a grid as x.
+/// The values of x at the centers of the bins of a grid.
 pub(super) struct X<G, const N: usize>(core::marker::PhantomData<G>);
 
 impl<G: Grid, const N: usize> X<G, N> {

@@ -1,4 +1,4 @@
-//! The solver: from an RGB to the sigmoid that has it.
+//! Upsampling by a sigmoid of a quadratic: from an RGB to the numbers of the curve that has it.
 
 use crate::color::matrix::{Matrix64, apply, inverse64, product64, rounded};
 use crate::color::{Rgb, RgbSpace, Srgb, Xyz};
@@ -13,30 +13,39 @@ use crate::upsample::tables::RESPONSES;
 use crate::upsample::viewing::Viewing;
 use core::marker::PhantomData;
 
-/// Upsampling by a sigmoid of a quadratic: smooth, within 0..=1, and exact on the grid it is made for.
+/// Finds for an RGB a spectrum that is smooth, within 0..=1, and has exactly that color on the grid at hand.
 ///
-/// Made by the compiler from a [`Viewing`]; what it holds is `16 N + 48` bytes, beside the constants of its
-/// start map `M`.
+/// Make it by [`new`](Self::new) while compiling. Call [`reflectance`](Self::reflectance) for a surface,
+/// [`illuminant`](Self::illuminant) for a light, and [`reflectance_each`](Self::reflectance_each) for many
+/// colors. See the [example](crate::upsample#example) of the module.
 ///
-/// # What goes in
-/// * Any gray is exactly that constant, black exactly 0, white exactly 1.
-/// * Components may be below 0 or above 1: a color outside the RGB space is solved if a sigmoid has it.
-///   As reflectances, colors brighter than white become white and those darker than black black, and say so.
-/// * With a NaN or an infinity the spectrum is NaN, and the status says so.
-/// * `k` times a dark color (largest component below 1/2) is `k` times its spectrum.
+/// The spectrum is a sigmoid of a quadratic in the wavelength ([`Shape`]).
+///
+/// # Which colors are solved
+/// * A gray has a constant spectrum, exactly. Black is exactly 0, and white exactly 1.
+/// * Components may be below 0 or above 1: a color outside the RGB space is solved if a sigmoid has it. As a
+///   reflectance, a color brighter than white becomes white and one darker than black becomes black, and the
+///   [`Status`] says so.
+/// * If a component is NaN or infinite, the spectrum is NaN, and the status says so.
+/// * The spectrum of `k` times a dark color (largest component below 1/2) is `k` times its spectrum.
 ///
 /// # Accuracy
-/// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81 every one of the 2^24
-/// 8-bit sRGB colors comes back as its code, for the 2 degree eye, within 0.00042 (`CubicStart`), 0.00035
-/// (`LinearStart`) and 0.00034 CIEDE2000 (`QuinticStart`) (`tests/upsample/all.rs`). Of a 17^3 cube, encoded
-/// by the sRGB curve, of Display P3 96.3 % are solved, of BT.2020 78.2 %, of Adobe RGB 95.8 %, of ACEScg 68.4
-/// % on 81 bands (95.9 and 77.4 % on 31; of BT.2020 in the code values of BT.1886 74.6 %); the others are
-/// outside what sigmoids of a quadratic can be, and say so. With fewer than 31 bands, or wider than 10 nm,
-/// more colors need damped steps (N = 16: none of sRGB is missed).
+/// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81, every one of the 2^24
+/// 8-bit sRGB colors is found so that the CIE 1931 observer sees its code again. The color is within 0.00042
+/// (`CubicStart`), 0.00035 (`LinearStart`) and 0.00034 CIEDE2000 (`QuinticStart`) (`tests/upsample/all.rs`).
+///
+/// Of a cube of 17^3 colors, encoded by the sRGB curve, a spectrum is found on 81 bands for 96.3 % in Display
+/// P3, 78.2 % in BT.2020, 95.8 % in Adobe RGB and 68.4 % in ACEScg. On 31 bands it is 95.9 % in Display P3
+/// and 77.4 % in BT.2020; in BT.2020 encoded by BT.1886 it is 74.6 %. No sigmoid of a quadratic has the other
+/// colors, and the status says so.
+///
+/// With fewer than 31 bands, or with bands wider than 10 nm, more colors need damped steps. With N = 16 all
+/// colors of sRGB are found.
 ///
 /// # Cost
-/// 2 to 6 steps; 385 ns a color in the mean at N = 31 on x86-64, 4500 instructions on a Cortex-M4F (7900 at
-/// most).
+/// A color takes 2 to 6 steps of Newton's method. At N = 31 that is 385 ns in the mean on x86-64, and 4500
+/// instructions on a Cortex-M4F, 7900 at most. It holds `16 N + 48` bytes, beside the constants of its
+/// starting polynomial `M`.
 ///
 /// # Reference
 /// W. Jakob, J. Hanika, "A low-dimensional function space for efficient spectral upsampling", Computer
@@ -44,7 +53,7 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = CubicStart> {
     rows: Rows<N>,
-    /// RGB to responses.
+    /// The matrix from RGB to responses.
     response: [[f32; 3]; 3],
     /// The responses of white before they are scaled to 1.
     white: [f32; 3],
@@ -53,21 +62,22 @@ pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = CubicStart>
 
 /// A color on its way to the solver.
 enum Problem {
-    /// Nothing to solve: a constant, and whether it is the color.
+    /// There is nothing to solve: the spectrum is this constant, and the flag says whether it has the color.
     Done(f32, bool),
-    /// Solve for `responses`; the reflectance is `scale` times that, or 1 minus so much.
+    /// A curve with these responses is to be found. The reflectance is `scale` times the curve, or 1 minus
+    /// that.
     Solve { responses: [f32; 3], scale: f32, complement: bool },
 }
 
-/// How many colors the solver takes at once: eight fill the vectors of AVX, four those of SSE, where eight
-/// spill.
+/// How many colors the solver takes at once. Eight fill the vectors of AVX, and four those of SSE, which has
+/// too few registers for eight.
 #[cfg(any(target_feature = "avx", target_os = "none"))]
 const LANES: usize = 8;
 #[cfg(not(any(target_feature = "avx", target_os = "none")))]
 const LANES: usize = 4;
 
 impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
-    /// For this eye, light, grid and RGB space; for `const` use.
+    /// Prepares the method for the observer, light, grid and RGB space of `viewing`; for `const` use.
     ///
     /// ```
     /// use nanospectra::color::{DisplayP3, Rgb};
@@ -78,18 +88,18 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// );
     /// static SIGMOID: Sigmoid<36, Bins<380, 730>, DisplayP3, QuinticStart> = Sigmoid::new(&VIEWING);
     /// assert_eq!(SIGMOID.reflectance(Rgb::new(0.9, 0.3, 0.2)).status, Status::Exact);
-    /// // No paint is as green as the green of Display P3 at full drive; gray has a part in what comes nearest.
+    /// // No paint is as green as the green of Display P3 at full drive. Mixed with some gray it can be had.
     /// let green = Rgb::new(0.0, 1.0, 0.0);
     /// assert!(matches!(SIGMOID.reflectance(green).status, Status::Unreachable(_)));
     /// assert!(matches!(SIGMOID.desaturated(green).status, Status::Desaturated { kept, .. } if kept > 0.8));
-    /// // As light it is no problem: at half the size it is a color that a sigmoid has.
+    /// // As a light it is exact: at half the size it is a color that a sigmoid has.
     /// assert_eq!(SIGMOID.illuminant(green).status, Status::Exact);
     /// ```
     #[must_use]
     pub const fn new(viewing: &Viewing<N, G, S>) -> Self {
         let eye = viewing.eye.weights();
         let mixture: Matrix64 = widened(&RESPONSES);
-        // Each response is scaled to 1 for white.
+        // Each response is scaled so that it is 1 for white.
         let white = viewing.eye.row_sums();
         let (mut normal, mut scale) = (mixture, [0.0; 3]);
         const_for!(0..3, |k| {
@@ -115,37 +125,31 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// The reflectance that has exactly this color (linear RGB, on 6 bands or more), if undamped steps find
-    /// one: the solver alone, for programs that must be small. The same bits as
-    /// [`reflectance`](Self::reflectance).
-    #[must_use]
-    pub fn solve(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
-        match self.problem(rgb.to_array()) {
-            Problem::Done(share, exact) => exact.then_some(SigmoidReflectance::gray(share)),
-            Problem::Solve { responses, scale, complement } => {
-                let q = newton::exact::<N, M>(&self.rows, responses)?;
-                Some(SigmoidReflectance { shape: Shape { q }, scale, complement })
-            }
-        }
-    }
-
-    /// The reflectance of a color (linear RGB). What no sigmoid has comes near by least squares: the
-    /// primaries of BT.2020 within 2.5 to 9.6 CIEDE2000. For components within 0..=1 that is in the mean
-    /// nearer than [`desaturated`](Self::desaturated); above 1 the hue turns, and
-    /// [`unbounded`](Self::unbounded) is what to take.
+    /// Returns a reflectance for a color in linear RGB, the nearest in the sense of least squares if no
+    /// sigmoid has the color.
+    ///
+    /// The primaries of BT.2020, which no sigmoid has, are met within 2.5 to 9.6 CIEDE2000. For components
+    /// within 0..=1 the result is in the mean nearer to the color than that of
+    /// [`desaturated`](Self::desaturated). For components above 1 its hue changes; take
+    /// [`unbounded`](Self::unbounded) for them.
+    ///
+    /// See the [example](crate::upsample#example) of the module.
     #[must_use]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let problem = self.problem(rgb.to_array());
         self.solved(rgb, problem, |responses| newton::solve::<N, M>(&self.rows, responses))
     }
 
-    /// The reflectance of a color; what no sigmoid has is mixed with the gray of its luminance until one has
-    /// it, to within 1/1000 of the way: same luminance, same direction from gray, less of it. What is
-    /// brighter than white becomes white, what has a luminance below 0 black.
+    /// Returns a reflectance for a color in linear RGB, which is mixed with the gray of its luminance if no
+    /// sigmoid has the color.
+    ///
+    /// As little gray is added as possible, to within 1/1000 of the way from gray to the color. So the
+    /// luminance and the direction from gray stay, and the saturation is reduced. A color brighter than white
+    /// becomes white, and one with a luminance below 0 becomes black. See the [example](Self::new) of `new`.
     ///
     /// # Cost
-    /// Of an unsolvable color eleven times that of [`reflectance`](Self::reflectance), which is then 88
-    /// steps.
+    /// A color that no sigmoid has takes eleven times as long as by [`reflectance`](Self::reflectance), which
+    /// takes 88 steps for it.
     #[must_use]
     pub fn desaturated(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let first = self.reflectance(rgb);
@@ -176,8 +180,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         best
     }
 
-    /// The spectrum of any size whose curve is the color's: for densities and for what is brighter than
-    /// white.
+    /// Returns a spectrum of any size that has this color, for densities and for colors brighter than white.
+    ///
+    /// `rgb` is linear and may have components above 1.
     #[must_use]
     pub fn unbounded(&self, rgb: Rgb<S>) -> Solved<SigmoidUnbounded> {
         let (_, largest) = range(rgb.to_array());
@@ -191,7 +196,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             let black = self.reflectance(rgb);
             return black.map(|s| SigmoidUnbounded { shape: s.shape, scale: s.scale });
         }
-        // Beside the largest, -1e6 is as far from any curve as what overflows.
+        // Relative to the largest component, -1e6 is as far from any curve as a value that would overflow.
         let half = rgb.to_array().map(|c| 0.5 * (c / largest).max(-1e6));
         let solved = self.reflectance(Rgb::new(half[0], half[1], half[2]));
         let status = match solved.status {
@@ -203,16 +208,20 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Solved { spectrum: SigmoidUnbounded { shape: solved.spectrum.shape, scale }, status }
     }
 
-    /// The light of a color: [`unbounded`](Self::unbounded) times the white.
+    /// Returns a light of this color, which is [`unbounded`](Self::unbounded) times the white of the viewing.
+    ///
+    /// `rgb` is linear and may have components above 1. See the [example](Self::new) of `new`.
     #[must_use]
     pub fn illuminant(&self, rgb: Rgb<S>) -> Solved<SigmoidIlluminant> {
         self.unbounded(rgb).map(|factor| SigmoidIlluminant { factor })
     }
 
-    /// Eight reflectances at once, the same bits as [`reflectance`](Self::reflectance) one by one.
+    /// Returns the reflectances of eight colors, which takes less time than one call for each.
+    ///
+    /// The results have the same bits as those of [`reflectance`](Self::reflectance).
     ///
     /// # Cost
-    /// 140 ns a color at N = 31 for x86-64-v3, 295 ns for the default x86-64 target.
+    /// A color takes 140 ns at N = 31 for x86-64-v3, and 295 ns for the default x86-64 target.
     #[must_use]
     pub fn reflectance_8(&self, rgb: &[Rgb<S>; 8]) -> [Solved<SigmoidReflectance>; 8] {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };
@@ -223,7 +232,22 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         all
     }
 
-    /// A reflectance for each color, several at a time; the shorter of the two slices says how many.
+    /// Writes the reflectance of each color into `spectra`, and solves several at a time.
+    ///
+    /// If the slices differ in length, the shorter one decides how many are solved.
+    ///
+    /// ```
+    /// # use nanospectra::color::Rgb;
+    /// # use nanospectra::upsample::{Sigmoid, SigmoidReflectance, Solved, Status, Viewing};
+    /// # use nanospectra::{Curve, light::D65, observer::CIE_1931};
+    /// static VIEWING: Viewing<36> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
+    /// static SIGMOID: Sigmoid<36> = Sigmoid::new(&VIEWING);
+    /// let black = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };
+    /// let colors = [Rgb::new(0.1, 0.5, 0.4), Rgb::new(0.3, 0.2, 0.1), Rgb::new(0.7, 0.7, 0.7)];
+    /// let mut paints = [black; 3];
+    /// SIGMOID.reflectance_each(&colors, &mut paints);
+    /// assert_eq!(paints, colors.map(|color| SIGMOID.reflectance(color)));
+    /// ```
     pub fn reflectance_each(&self, rgb: &[Rgb<S>], spectra: &mut [Solved<SigmoidReflectance>]) {
         let count = rgb.len().min(spectra.len());
         let (Some(rgb), Some(spectra)) = (rgb.get(..count), spectra.get_mut(..count)) else { return };
@@ -234,6 +258,32 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
         for (rgb, spectrum) in rest.iter().zip(rest_spectra) {
             *spectrum = self.reflectance(*rgb);
+        }
+    }
+
+    /// Returns the reflectance that has exactly this color, if undamped steps of Newton's method find one.
+    ///
+    /// This is the solver alone, for programs that have to be small. `rgb` is linear, and the grid has 6
+    /// bands or more. The result has the same bits as that of [`reflectance`](Self::reflectance).
+    ///
+    /// ```
+    /// # use nanospectra::color::Rgb;
+    /// # use nanospectra::upsample::{Sigmoid, Viewing};
+    /// # use nanospectra::{Curve, light::D65, observer::CIE_1931};
+    /// static VIEWING: Viewing<36> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
+    /// static SIGMOID: Sigmoid<36> = Sigmoid::new(&VIEWING);
+    /// let teal = Rgb::new(0.1, 0.5, 0.4);
+    /// assert_eq!(SIGMOID.solve(teal), Some(SIGMOID.reflectance(teal).spectrum));
+    /// assert_eq!(SIGMOID.solve(Rgb::new(2.0, 2.0, 2.0)), None); // brighter than white
+    /// ```
+    #[must_use]
+    pub fn solve(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
+        match self.problem(rgb.to_array()) {
+            Problem::Done(share, exact) => exact.then_some(SigmoidReflectance::gray(share)),
+            Problem::Solve { responses, scale, complement } => {
+                let q = newton::exact::<N, M>(&self.rows, responses)?;
+                Some(SigmoidReflectance { shape: Shape { q }, scale, complement })
+            }
         }
     }
 
@@ -252,12 +302,13 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// What the solver has to do for a color. (Written without `f32::max`, which is a call on a Cortex-M4F.)
+    /// Returns what the solver has to do for a color. (It is written without `f32::max`, which is a function
+    /// call on a Cortex-M4F.)
     #[inline(always)]
     fn problem(&self, rgb: [f32; 3]) -> Problem {
         let [r, g, b] = rgb;
         let (smallest, largest) = range(rgb);
-        // Zero times an infinity is NaN too.
+        // Zero times a NaN or an infinity is NaN, and so the sum is not zero.
         if 0.0 * r + 0.0 * g + 0.0 * b != 0.0 {
             return Problem::Done(f32::NAN, false);
         }
@@ -270,7 +321,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         if smallest == largest {
             return Problem::Done(r, true);
         }
-        // (c + offset) * sign / size: c or 1 - c, enlarged to a largest component of 1/2.
+        // `color` is c or 1 - c for each component c, enlarged so that the largest component is 1/2.
         let (offset, sign, scale) = if largest < 0.5 {
             (0.0, 1.0, 2.0 * largest)
         } else if smallest > 0.5 {
@@ -282,7 +333,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Problem::Solve { responses: apply(&self.response, color), scale, complement: sign < 0.0 }
     }
 
-    /// From a problem to its spectrum, with the curve as `solve` finds it.
+    /// Returns the spectrum and the status of a problem, with the curve that `solve` finds.
     #[inline(always)]
     fn solved(
         &self,
@@ -301,14 +352,14 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             let miss = self.miss(asked, given.map(|a| 1.0 - scale * a));
             status_of(miss, miss)
         } else {
-            // Dark colors are judged as bright as can be: else any would do.
+            // Dark colors are compared after they have been enlarged, since as they are any two look alike.
             let miss = self.miss(asked, given.map(|a| scale * a));
             status_of(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
         };
         Solved { spectrum, status }
     }
 
-    /// Of a constant.
+    /// Returns the spectrum and the status of a constant.
     fn done(&self, asked: Rgb<S>, share: f32, exact: bool) -> Solved<SigmoidReflectance> {
         let status = if exact {
             Status::Exact
@@ -321,7 +372,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Solved { spectrum: SigmoidReflectance::gray(share), status }
     }
 
-    /// A color and the responses it got.
+    /// Returns the color that was asked for beside the one that has the responses `given`.
     #[inline(never)]
     fn miss(&self, asked: Rgb<S>, given: [f32; 3]) -> Miss {
         Miss { asked: self.xyz_of(asked), given: self.xyz(given), white: self.xyz([1.0; 3]) }
@@ -335,7 +386,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Xyz::from(self.shares(responses)).scaled(100.0)
     }
 
-    /// X, Y and Z of responses as shares of the white's Y.
+    /// Returns X, Y and Z of responses, as shares of the Y of white.
     fn shares(&self, [a, b, c]: [f32; 3]) -> [f32; 3] {
         static TO_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&widened(&RESPONSES)));
         let [u, v, w] = self.white;
@@ -343,13 +394,13 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     }
 }
 
-/// Exact if nobody could tell, as `seen`, else how far off.
+/// Returns `Exact` if the two colors of `seen` cannot be told apart, and else a status with `miss`.
 #[inline(never)]
 fn status_of(miss: Miss, seen: Miss) -> Status {
     if seen.is_nothing() { Status::Exact } else { Status::Unreachable(miss) }
 }
 
-/// The smallest and the largest.
+/// Returns the smallest and the largest component.
 #[inline(always)]
 fn range([r, g, b]: [f32; 3]) -> (f32, f32) {
     let (low, high) = if r < g { (r, g) } else { (g, r) };

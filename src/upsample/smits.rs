@@ -1,4 +1,4 @@
-//! The classic: seven curves, and a color as white plus what it has more of.
+//! Upsampling by seven fixed curves, after Smits.
 
 use crate::color::Rgb;
 use crate::grid::{Bins, Grid, Layout};
@@ -7,19 +7,32 @@ use crate::spectrum::{Factor, Spectrum};
 use crate::upsample::tables::SMITS;
 use core::marker::PhantomData;
 
-/// Upsampling after Smits: the least component times white, what the next one has more times cyan, magenta
-/// or yellow, what the largest has more times red, green or blue.
+/// Finds the spectrum of an RGB by adding up seven fixed curves, after Smits' classic method.
 ///
-/// Made for primaries close to sRGB seen under *equal energy*, and so off under D65. Equal components pass
-/// through white alone, or through white and one of cyan, magenta, yellow.
+/// The spectrum is a sum of three terms: white times the smallest component; cyan, magenta or yellow times
+/// the difference to the next larger component; and red, green or blue times the difference from there to the
+/// largest component.
+///
+/// The curves were made for primaries close to those of sRGB under light of *equal energy*, so colors are off
+/// under D65. Prefer [`Sigmoid`](crate::upsample::Sigmoid) or [`Basis`](crate::upsample::Basis) unless you
+/// compare methods or reproduce older renderings.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::{Rgb, Srgb};
+/// use nanospectra::upsample::SmitsBins;
+/// static SMITS: SmitsBins = SmitsBins::new();
+/// let yellow = SMITS.reflectance(Rgb::<Srgb>::new(1.0, 1.0, 0.0));
+/// assert_eq!(yellow.values()[3], 0.6651); // the paper's table
+/// ```
 ///
 /// # Accuracy
-/// It does not give the color back, not even to 8 bits: 0.9 CIEDE2000 in the mean and up to 2.1 under
-/// D65. What it is for a color at hand is
-/// [`Viewing::delta_e`](crate::upsample::Viewing::delta_e). Values reach 1.015, and a gray ripples by 8e-4.
+/// The spectrum does not have the color that was asked for, not even to 8 bits: under D65 it is off by 0.9
+/// CIEDE2000 in the mean and by up to 2.1. [`Viewing::delta_e`](crate::upsample::Viewing::delta_e) computes
+/// the error of a color at hand. Values reach 1.015, and the values of a gray vary by 8e-4.
 ///
 /// # Cost
-/// 28 N bytes.
+/// The curves take 28 N bytes.
 ///
 /// # Reference
 /// B. Smits, "An RGB-to-spectrum conversion for reflectances", J. Graphics Tools 4 (1999).
@@ -29,19 +42,13 @@ pub struct Smits<const N: usize, G = Bins<380, 730>> {
     grid: PhantomData<G>,
 }
 
-/// The ten bins of the paper.
+/// Smits' method on the ten bins that the paper uses. See the [example](Smits#example).
 pub type SmitsBins = Smits<10, Bins<380, 720>>;
 
 impl<const N: usize, G: Grid> Smits<N, G> {
-    /// The seven curves on any grid: averages of the ten steps, the outer ones held; for `const` use.
+    /// Computes the seven curves on a grid as averages of the paper's ten steps; for `const` use.
     ///
-    /// ```
-    /// use nanospectra::color::{Rgb, Srgb};
-    /// use nanospectra::upsample::SmitsBins;
-    /// static SMITS: SmitsBins = SmitsBins::new();
-    /// let yellow = SMITS.reflectance(Rgb::<Srgb>::new(1.0, 1.0, 0.0));
-    /// assert_eq!(yellow.values()[3], 0.6651); // the paper's table
-    /// ```
+    /// Beyond the paper's range the outer steps are continued. See the [example](#example).
     #[must_use]
     pub const fn new() -> Self {
         let mut curves = [[0.0; N]; 7];
@@ -52,7 +59,9 @@ impl<const N: usize, G: Grid> Smits<N, G> {
         Smits { curves, grid: PhantomData }
     }
 
-    /// The reflectance of a color (linear RGB); NaN in any component is NaN everywhere.
+    /// Returns the reflectance of a color, which is given in linear RGB.
+    ///
+    /// If a component is NaN, the whole spectrum is NaN. See the [example](#example).
     #[must_use]
     pub fn reflectance<S>(&self, rgb: Rgb<S>) -> Spectrum<Factor, N, G> {
         let [white, cyan, magenta, yellow, red, green, blue] = &self.curves;
@@ -81,11 +90,11 @@ impl<const N: usize, G: Grid> Default for Smits<N, G> {
     }
 }
 
-/// The average of a curve's ten steps of 34 nm over `low..high`.
+/// Returns the average of a curve, which has ten steps of 34 nm, over `low..high`.
 const fn average(curve: usize, low: f64, high: f64) -> f32 {
     let mut sum = 0.0;
     const_for!(0..10, |step| {
-        // The outer steps reach as far as it takes.
+        // The outer steps are continued as far as the grid reaches.
         let from = if step == 0 { 0.0 } else { 380.0 + 34.0 * step as f64 };
         let to = if step == 9 { 1e7 } else { 380.0 + 34.0 * (step + 1) as f64 };
         let from = if from > low { from } else { low };

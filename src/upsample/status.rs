@@ -1,40 +1,61 @@
-//! How well a color could be met.
+//! How near a solved spectrum comes to the color that was asked for.
 
 use crate::color::{Cie94Weights, Xyz, cie76, cie94};
 
-/// A spectrum and how near it is to what was asked for.
+/// A spectrum together with a status that says how near its color is to the one that was asked for.
+///
+/// The functions of [`Sigmoid`](crate::upsample::Sigmoid) return it; see the
+/// [example](crate::upsample#example).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solved<T> {
-    /// The spectrum.
+    /// The spectrum that was found, as the numbers that describe its curve.
     pub spectrum: T,
-    /// Whether it has the color, and if not, how near it is.
+    /// Whether the spectrum has the color that was asked for, and if not, how near it is.
     pub status: Status,
 }
 
 /// How near the color of a solved spectrum is to the one that was asked for.
+///
+/// See the [example](crate::upsample::Sigmoid::new) for colors out of reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Status {
     /// The spectrum has the color, within 0.002 CIEDE2000.
     Exact,
-    /// No sigmoid has the color. This one lies on the way to it from the gray of its luminance, or is black
-    /// or white where there is no such gray.
+    /// No sigmoid has the color, and the spectrum has a less saturated color of the same luminance instead.
+    ///
+    /// Its color lies on the straight line from the gray of that luminance to the color that was asked for.
+    /// If there is no such gray, it is black or white.
+    /// [`Sigmoid::desaturated`](crate::upsample::Sigmoid::desaturated) returns it.
     Desaturated {
-        /// How much of the way from gray to the color, 0..1.
+        /// How far from the gray towards the color the spectrum's color lies, within 0..1.
         kept: f32,
-        /// The color of this spectrum, beside the one that was asked for.
+        /// The color that was asked for and the one that the spectrum has.
         miss: Miss,
     },
-    /// No sigmoid has the color; this one is near, by least squares. (Next to the limit of what sigmoids have
-    /// f32 cannot tell: this may then be as near as 0.0005, or as far as 0.2 where f64 finds an exact one.)
+    /// No sigmoid has the color, and the spectrum has the nearest color in the sense of least squares.
+    ///
+    /// Near the limit of the colors that sigmoids have, f32 cannot decide whether one has the color. A
+    /// spectrum with this status may then be as near as 0.0005 CIEDE2000, or as far as 0.2 where an exact one
+    /// exists in f64.
     Unreachable(Miss),
-    /// A component is NaN or infinite, or so large that the spectrum would be; the spectrum is NaN.
+    /// A component is NaN or infinite, or so large that the spectrum would be infinite; the spectrum is NaN.
     NotFinite,
 }
 
-/// Two colors: the one asked for and the one the spectrum has; Y = 100 for white.
+/// The color that was asked for and the one that the spectrum has, with Y = 100 for white.
+///
+/// # Example
+/// ```
+/// use nanospectra::color::Xyz;
+/// use nanospectra::upsample::Miss;
+/// let white = Xyz::new(95.047, 100.0, 108.883);
+/// let miss = Miss { asked: white, given: white.scaled(0.5), white };
+/// // The two differ in lightness alone: L* is 100 and 116 * cbrt(0.5) - 16 = 76.07.
+/// assert!((miss.delta_e76() - 23.93).abs() < 0.01);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Miss {
@@ -42,20 +63,22 @@ pub struct Miss {
     pub asked: Xyz,
     /// The color that the spectrum has.
     pub given: Xyz,
-    /// The white that both are seen against.
+    /// The color of white, against which both are seen.
     pub white: Xyz,
 }
 
 impl Miss {
-    /// CIEDE2000 between the two; NaN for components so large that f32 cannot say (1e16 and beyond).
+    /// Returns the color difference CIEDE2000 between the two colors.
+    ///
+    /// It is NaN for components of 1e16 and beyond, for which f32 cannot compute it.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn delta_e(&self) -> f32 {
         self.asked.delta_e(self.given, self.white)
     }
 
-    /// Are the two within 0.002 CIEDE2000? By a formula that needs no more than roots, and comes to half of
-    /// that or more.
+    /// Returns whether the two are within 0.002 CIEDE2000. It is decided by a formula (CIE94) that needs no
+    /// functions but roots, and whose value is at least half of CIEDE2000 here.
     pub(super) fn is_nothing(&self) -> bool {
         match (self.asked.lab(self.white), self.given.lab(self.white)) {
             (Some(asked), Some(given)) => cie94(asked, given, Cie94Weights::GraphicArts) < 0.001,
@@ -63,8 +86,10 @@ impl Miss {
         }
     }
 
-    /// The CIE 1976 difference between the two, which needs no more than roots; infinite, or NaN, for
-    /// components of 1e16 and beyond.
+    /// Returns the CIE 1976 color difference between the two colors, which is computed without a math
+    /// backend.
+    ///
+    /// It is infinite or NaN for components of 1e16 and beyond. See the [example](#example).
     #[must_use]
     pub fn delta_e76(&self) -> f32 {
         match (self.asked.lab(self.white), self.given.lab(self.white)) {

@@ -4,6 +4,7 @@
 mod claims;
 mod damaged_tables;
 mod doc_claims;
+mod face;
 mod image;
 mod matter;
 mod modules;

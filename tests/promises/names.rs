@@ -26,7 +26,7 @@ fn shared(texts: &Texts) -> BTreeSet<String> {
     let mut shared = BTreeSet::new();
     let mut files: BTreeMap<&str, &str> = BTreeMap::new();
     let mut folders: BTreeMap<&str, &str> = BTreeMap::new();
-    for (file, text) in texts.iter().filter(|(file, _)| file.starts_with("src/")) {
+    for (file, text) in texts.iter().filter(|(file, _)| file.starts_with("src/") && file.ends_with(".rs")) {
         for name in declared(text) {
             if let Some(other) = files.insert(name, file) {
                 shared.insert(format!("{name} in {other} and {file}"));

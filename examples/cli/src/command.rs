@@ -1,4 +1,4 @@
-//! Which command is run.
+//! Parses the command line and runs the command that it names.
 
 use crate::failure::{Failure, exit_code, short};
 use crate::{measure, paint, scene, sensor, usage};
@@ -6,14 +6,14 @@ use clap::error::{ContextKind, Error, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Light and color, measured and predicted from spectra.
+/// Computes color, illuminance and color rendering from spectra, sensor counts, RGB colors and scenes.
 #[derive(Debug, Parser)]
 #[command(
     name = "nanospectra",
     version,
     propagate_version = true,
     disable_help_subcommand = true,
-    after_help = "Without a command it measures the lamp that it brings, CIE L41, a white LED.\n\
+    after_help = "Without a command, the program measures the lamp that comes with it: CIE L41, a white LED.\n\
                   'nanospectra COMMAND --help' explains the options, the input and the output of a command."
 )]
 struct Cli {
@@ -29,7 +29,7 @@ enum Command {
     Scene(scene::Args),
 }
 
-/// Runs what the command line asks for.
+/// Runs the command that the command line names, and reports its outcome as an exit code.
 pub fn main() -> ExitCode {
     exit_code(run().map(|()| ExitCode::SUCCESS))
 }
@@ -45,7 +45,7 @@ fn run() -> Result<(), Failure> {
     }
 }
 
-/// A failure that begins with the name of the command it is about.
+/// Turns an error of clap into a failure that begins with the name of the command.
 fn refused(error: Error) -> Failure {
     let word = std::env::args_os().nth(1).unwrap_or_default();
     let word = word.to_string_lossy();
@@ -54,7 +54,7 @@ fn refused(error: Error) -> Failure {
     if error.kind() == ErrorKind::InvalidSubcommand {
         let word = short(usage::context(&error, ContextKind::InvalidSubcommand).unwrap_or_default());
         let names: Vec<&str> = cli.get_subcommands().map(|command| command.get_name()).collect();
-        let what = format!("'{word}' is no command; use {}, or see --help", names.join(", "));
+        let what = format!("'{word}' is not a command; use {}, or see --help", names.join(", "));
         return Failure::of(command, what);
     }
     let negative = if command == "paint" { paint::negative(&error) } else { None };

@@ -1,10 +1,12 @@
-//! What clap says about a command line, as this program says it.
+//! Turns clap's messages about a command line into messages of this program.
 
 use crate::failure::{Failure, short};
 use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, Error};
 
-/// A failure of `program` on one line. Help and version come as errors too: they are printed and end here.
+/// Turns an error of clap into a failure of `program`, on one line.
+///
+/// Requests for the help or the version are errors too; they are printed, and the program ends here.
 pub fn refused(program: &str, error: &Error) -> Failure {
     if !error.use_stderr() {
         error.exit();
@@ -18,17 +20,17 @@ pub fn refused(program: &str, error: &Error) -> Failure {
     Failure::of(program, one_line(&message))
 }
 
-/// The word of the command line that an error is about.
+/// Returns the word of the command line that an error is about.
 pub fn context(error: &Error, kind: ContextKind) -> Option<&str> {
     if let Some(ContextValue::String(word)) = error.get(kind) { Some(word) } else { None }
 }
 
-/// The name an option's value has on the command line.
+/// Returns the name of an option's value on the command line.
 pub fn name_of(value: impl ValueEnum) -> String {
     value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
-/// clap's message without its headings and usage, on one line.
+/// Returns clap's message without its headings and its usage, on one line.
 fn one_line(message: &str) -> String {
     let said = message
         .lines()

@@ -21,21 +21,21 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 
-    /// Compare all but times with what is on record, and the README with that; exit code 1 if anything
+    /// Compare all but times with what is on record, and the README and the guides with that; exit code 1 if anything
     /// differs
     #[arg(long)]
     pub check: bool,
 
-    /// Put what is measured on record: the JSON, the chart, the tables of the README
+    /// Put what is measured on record: the JSON, the chart, the tables of the README and the guides
     #[arg(long, conflicts_with = "check")]
     pub bless: bool,
 
-    /// Only write the tables of the README and the chart anew, from what is on record
+    /// Only write the tables of the README, those of the guides and the chart anew, from what is on record
     #[arg(long, conflicts_with_all = ["check", "bless", "only", "json"])]
-    pub readme: bool,
+    pub docs: bool,
 
     /// Only choose: the grid, the scheme and the bands for lamps and limits, from what is on record
-    #[arg(long, conflicts_with_all = ["check", "bless", "only", "json", "readme"])]
+    #[arg(long, conflicts_with_all = ["check", "bless", "only", "json", "docs"])]
     pub advise: bool,
 
     #[command(flatten)]

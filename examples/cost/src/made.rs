@@ -1,17 +1,19 @@
 //! The files in the repository that are made from the record.
 
-use crate::{picture, readme};
+use crate::{docs, picture};
 use nanospectra_cli::failure::Failure;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where the chart is that README.md shows.
+/// Where the chart is that the documentation shows.
 const CHART: &str = "examples/cost/data/frontier.svg";
+/// What has tables of the record, besides the guides.
 const README: &str = "README.md";
+const GUIDES: &str = "src/guide";
 
 /// Each file, and its text as it should be.
-pub type Made = [(&'static str, String); 2];
+pub type Made = Vec<(String, String)>;
 
 /// From the repository's root.
 pub fn in_repository(path: &str) -> PathBuf {
@@ -20,8 +22,28 @@ pub fn in_repository(path: &str) -> PathBuf {
 
 /// What the record makes of them.
 pub fn of(record: &Value) -> Result<Made, Failure> {
-    let readme = read(README)?;
-    Ok([(CHART, picture::frontier(record)), (README, readme::rewritten(&readme, record)?)])
+    let mut made = vec![(CHART.to_owned(), picture::frontier(record))];
+    for page in pages()? {
+        let text = docs::rewritten(&page, &read(&page)?, record)?;
+        made.push((page, text));
+    }
+    Ok(made)
+}
+
+/// README.md and every guide.
+fn pages() -> Result<Vec<String>, Failure> {
+    let unreadable = |error: std::io::Error| {
+        Failure::of(GUIDES, format_args!("cannot be read ({}); restore it", error.kind()))
+    };
+    let mut pages = vec![README.to_owned()];
+    for entry in fs::read_dir(in_repository(GUIDES)).map_err(unreadable)? {
+        let name = entry.map_err(unreadable)?.file_name().to_string_lossy().into_owned();
+        if name.ends_with(".md") {
+            pages.push(format!("{GUIDES}/{name}"));
+        }
+    }
+    pages.sort();
+    Ok(pages)
 }
 
 pub fn save(made: &Made) -> Result<(), Failure> {
@@ -33,7 +55,7 @@ pub fn stale(made: &Made) -> Result<Vec<String>, Failure> {
     let mut stale = Vec::new();
     for (path, text) in made {
         if read(path)? != *text {
-            stale.push(format!("{path}: not what the record makes of it; run with --readme"));
+            stale.push(format!("{path}: not what the record makes of it; run with --docs"));
         }
     }
     Ok(stale)

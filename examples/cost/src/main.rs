@@ -4,7 +4,7 @@
 //! choices with an f64 reference and puts what they cost beside: instructions on record ([`counts`]), bytes,
 //! and nanoseconds here ([`clock`]). What it finds are tables ([`report`]), for a terminal ([`text`]) or a
 //! program ([`json`]); [`check`] compares them with those on record. Of the record ([`record`]) the chart
-//! ([`picture`]) and the tables of the README ([`readme`]) are [`made`], and by it [`advise`] chooses.
+//! ([`picture`]) and the tables of the documentation ([`docs`]) are [`made`], and by it [`advise`] chooses.
 
 mod advise;
 mod args;
@@ -13,6 +13,7 @@ mod cells;
 mod check;
 mod clock;
 mod counts;
+mod docs;
 mod effects;
 mod json;
 mod made;
@@ -20,7 +21,6 @@ mod math;
 mod nanometers;
 mod observers;
 mod picture;
-mod readme;
 mod record;
 mod report;
 mod studies;
@@ -48,7 +48,7 @@ fn run(args: &Args) -> Result<ExitCode, Failure> {
         print(&advise::advice(&choices, &args.limits)?)?;
         return Ok(ExitCode::SUCCESS);
     }
-    if args.readme {
+    if args.docs {
         made::save(&made::of(&json::recorded()?)?)?;
         return Ok(ExitCode::SUCCESS);
     }

@@ -21,14 +21,14 @@ function numberIn(cell) {
 
 /** @param {string} cell @param {string} what */
 function number(cell, what) {
-  if (cell === '') throw new Error(`${what} is empty; fill it in (0 if nothing was measured is for you to say)`);
+  if (cell === '') throw new Error(`${what} is empty; fill it in (with 0 only if 0 was measured)`);
   const value = numberIn(cell);
   if (value !== undefined && Number.isFinite(value)) return value;
-  if (value !== undefined) throw new Error(`${what} is ${short(cell)}, not a finite number; correct it`);
+  if (value !== undefined) throw new Error(`${what} is ${short(cell)}, which is not a finite number; correct it`);
   if (numberIn(cell.replace(',', '.')) !== undefined) {
     throw new Error(`${what} is '${short(cell)}'; write the decimal point as '.'`);
   }
-  throw new Error(`${what} is '${short(cell)}', not a number; correct it`);
+  throw new Error(`${what} is '${short(cell)}', which is not a number; correct it`);
 }
 
 const count = (cells) => (cells === 1 ? '1 cell' : `${cells} cells`);
@@ -44,7 +44,9 @@ function separatorOf(row) {
 
 /** @param {string} line @param {string} mark @returns {string[]} */
 function cellsOf(line, mark) {
-  if (line.includes('\r')) throw new Error('a carriage return inside the line; save with LF or CRLF line ends');
+  if (line.includes('\r')) {
+    throw new Error('there is a carriage return inside the line; save the file with LF or CRLF line ends');
+  }
   if (line.includes('"')) return quoted(line, mark);
   return mark ? line.split(mark).map((cell) => cell.trim()) : line.trim().split(/\s+/);
 }
@@ -54,13 +56,13 @@ function quoted(line, mark) {
   const parts = line.split('"'),
     last = parts.length - 1,
     delimiter = mark || ' ';
-  if (last % 2) throw new Error('a quote is opened and not closed; close it on the same line');
+  if (last % 2) throw new Error('a quote is opened but not closed; close it on the same line');
   for (let k = 0; k <= last; k += 2) {
     const outside = mark ? parts[k].replace(/^ +| +$/g, '') : parts[k];
     const apart = (k === 0 || outside.startsWith(delimiter)) && (k === last || outside.endsWith(delimiter));
     // Nothing between two quotes is a quote inside a quoted cell.
     if (outside !== '' && !apart) {
-      throw new Error('text beside a quoted cell; put the quotes around the whole cell');
+      throw new Error('there is text beside a quoted cell; put the quotes around the whole cell');
     }
     parts[k] = outside;
   }
@@ -86,7 +88,7 @@ function checkHeading(cells) {
   const follow = cells.length > 1 && cells.slice(1).every((cell) => numberIn(cell) !== undefined);
   if (/^[\d+\-.]/.test(first) || (follow && !names)) {
     throw new Error(
-      `'${short(first)}' is not a wavelength; correct it, or begin the heading with 'nm' if this is one`,
+      `'${short(first)}' is not a wavelength; correct it, or begin the line with 'nm' if it is a heading`,
     );
   }
 }
@@ -126,7 +128,7 @@ export function parse(text, file = 'pasted') {
   });
   if (!first) {
     return at(rows[0]?.number ?? 1, () => {
-      throw new Error('no row of numbers; give rows of a wavelength in nm and one or more values');
+      throw new Error('there is no row of numbers; give rows with a wavelength in nm and one or more values');
     });
   }
   const mark = separatorOf(first.line);
@@ -139,7 +141,9 @@ export function parse(text, file = 'pasted') {
     at(row, () => {
       const cells = cellsOf(line, mark);
       if (row < first.number) {
-        if (heading) throw new Error("neither a heading nor numbers; begin the line with '#' to skip it");
+        if (heading) {
+          throw new Error("this is neither a heading nor a row of numbers; begin the line with '#' to skip it");
+        }
         checkHeading(cells);
         heading = { cells, row };
         return;
@@ -168,9 +172,11 @@ export function parse(text, file = 'pasted') {
       throw new Error('the row ends with an empty cell; fill it in, or remove the last separator');
     }
     if (cells.length !== names.length + 1) {
-      throw new Error(`${count(cells.length)} where the rows before have ${names.length + 1}; complete the row`);
+      throw new Error(
+        `the row has ${count(cells.length)}, but the rows before it have ${names.length + 1}; complete it`,
+      );
     }
-    const nm = number(cells[0], 'wavelength');
+    const nm = number(cells[0], 'the wavelength');
     checkWavelength(nm);
     cells.slice(1).forEach((cell, k) => {
       values[k].push(number(cell, names[k] === undefined ? `cell ${k + 2}` : `'${names[k]}'`));
@@ -184,11 +190,11 @@ export function parse(text, file = 'pasted') {
     if (nms.length === 0) return;
     const before = nms.at(-1);
     if (nm === before)
-      throw new Error(`${plain(nm)} nm stands in line ${lines.at(-1)} too; keep one of the two rows`);
+      throw new Error(`${plain(nm)} nm is in line ${lines.at(-1)} too; keep one of the two rows`);
     if (nm < before)
       throw new Error(`${plain(nm)} nm comes after ${plain(before)} nm; sort the rows by wavelength`);
     if (Math.fround(nm) === Math.fround(before)) {
-      throw new Error(`${plain(nm)} nm is too near to ${plain(before)} nm to tell apart; use wider steps`);
+      throw new Error(`${plain(nm)} nm is too near to ${plain(before)} nm to tell them apart; use wider steps`);
     }
   }
 }
@@ -196,13 +202,15 @@ export function parse(text, file = 'pasted') {
 /** The names of the columns that the first row promises. */
 function namesOf(row, heading) {
   if (row.length < 2) {
-    throw new Error('no value beside the wavelength; give rows of a wavelength in nm and one or more values');
+    throw new Error(
+      'there is no value beside the wavelength; give rows with a wavelength in nm and one or more values',
+    );
   }
   if (!heading) return row.slice(1).map(() => undefined);
   if (heading.cells.length !== row.length) {
     throw new Error(
-      `${count(row.length)} here but ${heading.cells.length} in the heading (line ${heading.row}); ` +
-        'make them agree (quote names that hold a separator)',
+      `the row has ${count(row.length)}, but the heading in line ${heading.row} has ${heading.cells.length}; ` +
+        'make both agree, with quotes around names that contain a separator',
     );
   }
   return heading.cells.slice(1).map((cell) => (cell === '' ? undefined : cell));

@@ -63,9 +63,11 @@ export class Instrument {
       +hold,
     );
     const at = (what) => new Error(`${file}:${lines[status >> 3]}: ${what}`);
-    if ((status & 7) === 4) throw at('off the regular step that sprague needs; use --interpolation linear');
-    if ((status & 7) === 3) throw at('less than 0.0001 nm above the row before; merge them');
-    if ((status & 7) === 1) throw wrong(source, `fewer than ${status >> 3} samples; use --interpolation linear`);
+    if ((status & 7) === 4) throw at('this row is off the regular step that sprague needs; use --interpolation linear');
+    if ((status & 7) === 3) throw at('this row is less than 0.0001 nm above the one before; merge the two');
+    if ((status & 7) === 1) {
+      throw wrong(source, `there are fewer than ${status >> 3} samples; use --interpolation linear`);
+    }
     if (status) throw wrong(source, `${refusal(status)}; correct the file`);
     if (!needsExact(samples)) return;
     for (let k = 0; k < NODES; k++) {
@@ -85,7 +87,10 @@ export class Instrument {
       up = 2 ** -half;
     this.read(source, { sprague, scaled: (value) => value * up * up });
     if (this.curve.every((value) => value === 0)) {
-      throw wrong(source, 'no power at any whole nanometer of 360..830, nothing visible; give a spectrum that has');
+      throw wrong(
+        source,
+        'there is no power at any whole nanometer of 360..830, so nothing is visible; give a spectrum that has some',
+      );
     }
     return 2 ** (2 * half);
   }
@@ -130,7 +135,10 @@ export class Instrument {
   }
 
   dark(eye) {
-    return `nothing visible, Y is not above zero for ${OBSERVERS[eye][1]}; check range and dark reading`;
+    return (
+      `nothing is visible, since Y is not above zero for ${OBSERVERS[eye][1]}; ` +
+      'check the range and the dark reading'
+    );
   }
 }
 

@@ -15,7 +15,7 @@ const NO_WHITE = [
   'redder than a black body of 1000 K',
   'bluer than a black body of a million K',
   'not a white: more than 0.05 from the Planckian locus',
-  'no chromaticity for the 1931 observer',
+  'there is no chromaticity for the 1931 observer',
 ];
 const NO_RENDERING = [
   '',
@@ -114,11 +114,11 @@ export class Light extends Instrument {
       'delta_e2000',
     ]) {
       if (reading[key] === null && !reading.notes.some((text) => text.startsWith(`${key}: `))) {
-        note(key, 'not defined for a spectrum with such negative values');
+        note(key, 'it is not defined for a spectrum with such negative values');
       }
     }
     if (!reading.XYZ.every(Number.isFinite)) {
-      throw wrong(source, 'its sums are beyond all numbers; check the values and the unit');
+      throw wrong(source, 'its sums are too large for any number; check the values and the unit');
     }
     return { ...reading, ...extra, curve: this.curve.slice() };
   }
@@ -133,7 +133,7 @@ export class Light extends Instrument {
     if (!reading.xy) {
       missing(
         ['xy', 'uv1960', 'uv1976', 'dominant_wavelength_nm', 'purity'],
-        'black (X + Y + Z not above zero) has no chromaticity',
+        'black has no chromaticity (X + Y + Z is not above zero)',
       );
       return out;
     }
@@ -141,7 +141,7 @@ export class Light extends Instrument {
     reading.dominant_wavelength_nm = single(this.out[0]);
     reading.purity = single(this.out[1]);
     if (reading.dominant_wavelength_nm === null) {
-      missing(['dominant_wavelength_nm'], 'within 0.00001 of the white it is seen against');
+      missing(['dominant_wavelength_nm'], 'the color is within 0.00001 of the white');
     }
     return out;
   }
@@ -165,7 +165,8 @@ export class Light extends Instrument {
       if (this.out[1] > Math.fround(MAX_DC)) {
         note(
           'cri_ra',
-          `${this.out[1].toFixed(4)} from the reference light in uv, CIE 13.3 allows 0.0054: of little meaning`,
+          `the light is ${this.out[1].toFixed(4)} from its reference in uv, where CIE 13.3 allows 0.0054, ` +
+            'so that Ra means little',
         );
       }
     }
@@ -179,18 +180,18 @@ export class Light extends Instrument {
     reading.melanopic_edi_ratio = single(melanopic);
     if (reading.ler_lm_per_w === null)
       missing(['ler_lm_per_w'], 'the power over 360..830 nm does not sum to more than zero');
-    if (reading.melanopic_edi_ratio === null) missing(['melanopic_edi_ratio'], 'no luminance to compare with');
+    if (reading.melanopic_edi_ratio === null) missing(['melanopic_edi_ratio'], 'there is no luminance to compare with');
     if (absolute) [reading.lux, reading.ppfd] = [double(lux * scale), double(ppfd * scale)];
-    else missing(['lux', 'ppfd'], 'relative input; give W/m2/nm and --unit absolute');
+    else missing(['lux', 'ppfd'], 'the input is relative; give W/m2/nm and --unit absolute');
 
     this.show(reading, out);
-    note('srgb', "the light's chromaticity at Y = 100, clipped to the gamut; so is hex");
-    missing(['lab', 'delta_e2000'], 'a light has none: it needs a surface and a white');
+    note('srgb', "this and hex are the light's chromaticity at Y = 100, clipped to the gamut");
+    missing(['lab', 'delta_e2000'], 'a light has none, because it takes a surface and a white');
     if (eye) {
       note(
         'observer',
-        `${OBSERVERS[eye][1]} for XYZ, chromaticity, dominant wavelength and sRGB; ` +
-          'CCT, Duv, CRI and photometry stay with CIE 1931',
+        `${OBSERVERS[eye][1]} is used for XYZ, chromaticity, dominant wavelength and sRGB, ` +
+          'and CIE 1931 for CCT, Duv, CRI and photometry',
       );
     }
     for (const remark of remarks(source, sprague, false)) note('data', remark);
@@ -225,8 +226,8 @@ export class Light extends Instrument {
     source.samples.forEach(([, value], k) => {
       if (value > 2) {
         throw new Error(
-          `${source.file}:${source.lines[k]}: '${source.name}' is ${value}, no reflectance; ` +
-            'give shares 0..1, not percent or power',
+          `${source.file}:${source.lines[k]}: '${source.name}' is ${value}, which is not a reflectance; ` +
+            'give shares of 0..1, not percent or power',
         );
       }
     });
@@ -236,17 +237,17 @@ export class Light extends Instrument {
       sum = Math.fround(Math.fround(x + y) + z);
     const white = sum > 0 ? [x / sum, y / sum] : [1 / 3, 1 / 3];
     const out = this.color(reading, work, white);
-    if (status & 1) missing(['lab', 'delta_e2000'], 'the light excites not all of X, Y and Z, so it has no white');
+    if (status & 1) missing(['lab', 'delta_e2000'], 'X, Y or Z of the light is not above zero, so it has no white');
     else [reading.lab, reading.delta_e2000] = [all(out.slice(22, 25)), single(out[25])];
-    if (status & 2) missing(['srgb', 'hex'], 'the light is no white that could be adapted to D65');
+    if (status & 2) missing(['srgb', 'hex'], 'the light is not a white that can be adapted to D65');
     else {
       this.show(reading, out);
-      if (!out[21]) note('srgb', 'outside the gamut, clipped; so is hex');
+      if (!out[21]) note('srgb', 'the color is outside the gamut; this and hex are clipped');
     }
-    missing(OF_THE_LIGHT, 'belongs to a light, not to a surface');
+    missing(OF_THE_LIGHT, 'only a light has this number, and a surface has not');
     for (const remark of remarks(source, sprague, true)) note('data', remark);
     const above = source.samples.filter(([, value]) => value > 1).length;
-    if (above) note('data', `${above} values above 1: more light than falls on it (fluorescence, gloss?)`);
+    if (above) note('data', `${above} values are above 1: more light leaves than arrives (fluorescence or gloss?)`);
     return {};
   }
 

@@ -46,9 +46,12 @@ export function checkReach(source) {
     ['meters', 1e9],
   ].find(([, nm]) => first * nm <= LAST && last * nm >= FIRST);
   const advice = unit
-    ? `if these are ${unit[0]}, multiply by ${plain(unit[1])}`
-    : 'give a spectrum that reaches into it';
-  throw wrong(source, `${plain(first)}..${plain(last)} nm is outside 360..830 nm, nothing visible; ${advice}`);
+    ? `if the wavelengths are in ${unit[0]}, multiply them by ${plain(unit[1])}`
+    : 'give a spectrum that reaches into this range';
+  throw wrong(
+    source,
+    `${plain(first)}..${plain(last)} nm is outside 360..830 nm, so nothing is visible; ${advice}`,
+  );
 }
 
 /** What a reader should know about how the samples were used. @param {Source} source */
@@ -58,7 +61,7 @@ export function remarks(source, sprague, hold) {
     last = samples.at(-1)[0],
     said = [];
   if (first > 380 || last < 780) {
-    const fate = hold ? 'is taken to be as at the ends' : 'counts as zero';
+    const fate = hold ? 'has the value of the nearest end' : 'counts as zero';
     said.push(`the samples cover ${plain(first)}..${plain(last)} nm; what is outside ${fate}`);
   }
   const inside = samples.filter(([nm]) => nm >= FIRST && nm <= LAST).length;
@@ -69,17 +72,19 @@ export function remarks(source, sprague, hold) {
   }).length;
   if (unread > 0 && !sprague) {
     said.push(
-      `finer than 1 nm: the sum reads whole nanometers, so ${unread} of ${inside} samples ` +
-        'do not count and narrow lines between are missed',
+      `the steps are finer than 1 nm, but the sum reads whole nanometers: ${unread} of ${inside} samples ` +
+        'do not count, and narrow lines between whole nanometers are missed',
     );
   }
   const beyond = samples.length - inside;
   if (beyond > 0) said.push(`${beyond} samples outside 360..830 nm are not part of any sum`);
   const negative = samples.filter(([, value]) => value < 0).length;
-  if (negative > 0) said.push(`${negative} negative values, taken as they are`);
+  if (negative > 0) said.push(`${negative} negative values are used as they are`);
   let widest = 0;
   for (let k = 1; k < samples.length; k++) widest = Math.max(widest, samples[k][0] - samples[k - 1][0]);
-  if (widest > 20) said.push(`steps of up to ${plain(widest)} nm; what lies between the samples is unknown`);
+  if (widest > 20) {
+    said.push(`the steps are up to ${plain(widest)} nm wide; what lies between the samples is unknown`);
+  }
   return said;
 }
 

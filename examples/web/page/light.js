@@ -84,7 +84,7 @@ const open = (file) =>
     try {
       text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
     } catch {
-      throw new Error(`${file.name}: not UTF-8 text; save it as UTF-8 (or is it a binary file?)`);
+      throw new Error(`${file.name}: the file is not text in UTF-8; save it as UTF-8, or name another file if it is binary`);
     }
     take(text, file.name);
   });

@@ -1,4 +1,4 @@
-// How many bytes each file has and may have. NANOSPECTRA_BLESS=1 puts what is measured on record, here and in both READMEs.
+// How many bytes each file has and may have. NANOSPECTRA_BLESS=1 puts what is measured on record, here and in both READMEs of this folder.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -23,7 +23,7 @@ const MOST = {
 };
 
 const RECORD = new URL('sizes.json', import.meta.url);
-const READMES = ['../../../README.md', '../package/README.md'].map((path) => new URL(path, import.meta.url));
+const READMES = ['../README.md', '../package/README.md'].map((path) => new URL(path, import.meta.url));
 const ROW = /^(\| `([a-z.0-9-]+\.(?:wasm|tables|br))`.*\| )([\d.]+)( \|)$/gm;
 
 const read = (url) => readFileSync(url, 'utf8');

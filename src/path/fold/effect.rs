@@ -1,4 +1,4 @@
-//! Fluorescent matter folded into the eye that looks at it.
+//! Folds fluorescent matter into the observer that looks at it.
 
 use crate::math::const_for;
 use crate::matter::{Donaldson, Dye, Foldable};
@@ -6,10 +6,13 @@ use crate::observer::Observer;
 use crate::spectrum::Power;
 
 impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
-    /// This observer turned to a dye: it then reads the light that falls there. Put it `under` a light after
-    /// that, never before: a light that is folded in cannot make anything glow.
+    /// Folds a fluorescent dye into this observer, which then reads the light that falls on the dye.
     ///
-    /// Computes in f64, for `const` use, as [`scaled`](Observer::scaled).
+    /// Fold a lamp in ([`under`](Observer::under)) after the dye and not before it: an observer with a lamp
+    /// in it reads reflectances, and it would not know how much of the lamp's light the dye absorbs.
+    ///
+    /// Computes in f64, for `const` use, as [`scaled`](Observer::scaled) does. See the
+    /// [example](crate::path#folding-a-path-into-an-observer).
     #[must_use]
     pub const fn looking_at_dye(&self, dye: &Dye<N, G>) -> Self {
         let mut weights = self.0;
@@ -17,7 +20,9 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
         Self::unchecked(weights)
     }
 
-    /// This observer turned to fluorescent matter of any kind; as [`looking_at_dye`](Self::looking_at_dye).
+    /// Folds fluorescent matter that is described by a Donaldson matrix into this observer.
+    ///
+    /// It is used as [`looking_at_dye`](Self::looking_at_dye) is.
     #[must_use]
     pub const fn looking_at_donaldson<const P: usize>(&self, matter: &Donaldson<N, P, G>) -> Self {
         let mut weights = self.0;
@@ -25,8 +30,10 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
         Self::unchecked(weights)
     }
 
-    /// This observer turned to matter of any kind that folds, an effect of your own included. Computes in
-    /// f32, at run time.
+    /// Folds matter of any kind that is linear in the light, such as an effect of your own, into this
+    /// observer.
+    ///
+    /// Computes in f32, at run time. See the [example](crate::path::Own#example).
     #[must_use]
     pub fn looking_at_matter<M: Foldable<N, G> + ?Sized>(&self, matter: &M) -> Self {
         let mut weights = self.0;

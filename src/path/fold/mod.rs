@@ -1,4 +1,4 @@
-//! What light meets, folded into the eye: from the eye backwards along the path.
+//! Folds a path into an observer, from the observer backwards to the lamp.
 
 mod effect;
 mod polarized;

@@ -1,25 +1,28 @@
-//! What the parts of a scene cost.
+//! Lists the price of each part of a scene.
 
 use crate::matter::Mueller;
 use crate::path::scene::{Part, Scene};
 use crate::path::{Effects, Price, Priced};
 
-/// One line of a [bill](Scene::bill): what one part of the scene costs.
+/// One line of a [bill](Scene::bill), which says how much one part of the scene costs.
+///
+/// See the [example](Scene::bill) of a bill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BillLine {
-    /// The number of the part, counted from 0.
+    /// The number of the part in the scene, counted from 0.
     pub part: usize,
-    /// What it is: `"filter"`, `"dye"`, ..
+    /// The name that says which kind of part it is, such as `"filter"` or `"dye"`.
     pub name: &'static str,
-    /// Its effect is left out: what remains is a plain factor.
+    /// Whether the effect of the part is left out, so that it is a plain factor for each bin.
     pub left_out: bool,
-    /// Its effects, and what it takes to work it out once.
+    /// The effects of the part, and what it takes to compute all bins behind it once.
     pub price: Price,
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// What each part costs when light is walked through: its effects, multiply-adds, bytes.
+    /// Returns a line for each part, which says how much the part costs when light is followed through the
+    /// scene.
     ///
     /// ```
     /// # use nanospectra::Reflectance;
@@ -32,7 +35,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// for line in scene.bill() {
     ///     println!("{}: {}", line.name, line.price); // polarizer: polarization, 124 multiply-adds, ..
     /// }
-    /// // Four numbers for each bin from the polarizer on.
+    /// // Behind the polarizer there are four numbers for each bin.
     /// assert_eq!(scene.bill().last().map(|line| line.price.multiply_adds), Some(4 * 31));
     /// # Ok::<(), nanospectra::path::SceneFullError>(())
     /// ```
@@ -55,15 +58,17 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         })
     }
 
-    /// What walking light through all parts costs. A lamp adds its bytes ([`Price::light`]), an observer of
-    /// `C` channels `C * N` multiply-adds.
+    /// Returns the price that is paid to follow light through all parts once.
+    ///
+    /// A lamp adds its bytes ([`Price::light`]), and an observer of `C` channels adds `C * N` multiply-adds.
+    /// See the [example](#example).
     #[must_use]
     pub fn price(&self) -> Price {
         self.bill().fold(Price::NONE, |sum, line| sum.plus(line.price))
     }
 
-    /// What the scene costs once it is folded into an observer of `channels` channels: what that observer
-    /// costs alone.
+    /// Returns the price of the scene once it is folded into an observer of `channels` channels, which is the
+    /// price of that observer alone.
     #[must_use]
     pub const fn folded_price(&self, channels: usize) -> Price {
         Price { effects: Effects::NONE, multiply_adds: channels * N, bytes: 4 * channels * N }

@@ -1,4 +1,4 @@
-//! Effects that hardly show, left out.
+//! Finds the effects of a scene that hardly show, and leaves them out.
 
 use crate::color::{ParametricFactors, Xyz, ciede2000_with};
 use crate::math::Math;
@@ -8,18 +8,21 @@ use crate::observer::Observer;
 use crate::path::scene::Scene;
 use crate::spectrum::{Power, Spectrum};
 
-/// A scene within a color-difference budget: which effects are left out, and what that costs in all.
+/// A scene from which [`Scene::within_budget`] has left out effects that hardly show.
 #[derive(Clone, Copy, Debug)]
 pub struct WithinBudget<S> {
-    /// The scene; it says which parts are [`left_out`](Scene::left_out).
+    /// The scene that remains; [`left_out`](Scene::left_out) says which parts have lost their effect.
     pub scene: S,
-    /// CIEDE2000 to the scene with all its effects; 0 if none is left out.
+    /// How much its color differs from the scene with all effects, in CIEDE2000; 0 if none is left out.
     pub delta_e: f32,
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// How different another scene looks to this eye under this lamp: CIEDE2000, where the white of CIELAB is
-    /// that of the bare lamp. NaN if that is no white (see [`Xyz::lab`]).
+    /// Returns the color difference CIEDE2000 between this scene and another one, as this observer sees them
+    /// under this lamp.
+    ///
+    /// The white of CIELAB is the color of the bare lamp. If that cannot be a white (see [`Xyz::lab`]), the
+    /// difference is NaN.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn difference(
@@ -31,7 +34,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         self.difference_with::<Portable>(other, eye, lamp)
     }
 
-    /// [`difference`](Self::difference) by the functions of `M`.
+    /// Returns the color difference as `difference` does, computed by the functions of the math backend `M`.
     #[must_use]
     pub fn difference_with<M: Math>(
         &self,
@@ -47,16 +50,20 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         }
     }
 
-    /// This scene without the effects that this eye would hardly miss under this lamp: those that save most
-    /// multiply-adds first, as long as all that is left out *together* makes a
-    /// [`difference`](Self::difference) of `budget_delta_e` at most. No other effect could be left out as
-    /// well by itself; two might, together.
+    /// Leaves out effects that this observer would hardly miss under this lamp, and returns the scene that
+    /// remains.
     ///
-    /// A lamp or part that changes needs a new answer: what does not show under a red lamp may shine under a
-    /// blue one.
+    /// Effects that save most multiply-adds are left out first, as long as the
+    /// [`difference`](Self::difference) that all of them make *together* is at most `budget_delta_e`. In the
+    /// scene that remains no single effect could be left out as well. (Two of them could be, if their
+    /// differences happened to cancel.)
+    ///
+    /// Call it again when the lamp or a part changes: a dye that does not show under a red lamp may be bright
+    /// under a blue one.
     ///
     /// # Cost
-    /// The scene is walked twice for each part with an effect, and that again for each that is left out.
+    /// Light is followed through the scene twice for each part with an effect, and all of that again for each
+    /// effect that is left out.
     ///
     /// ```
     /// use nanospectra::matter::{Dye, Retarder};
@@ -68,14 +75,14 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// let blue = Reflectance::at_centers(|nm| if nm < 480.0 { 0.8 } else { 0.0 });
     /// let green = Light::at_centers(|nm| if nm > 500.0 && nm < 560.0 { 1.0 } else { 0.0 });
     /// let vest = Dye::new(&Reflectance::flat(0.1), &blue, &green, 0.9)?;
-    /// let plate = Retarder::flat(0.25, 0.125); // alone: nothing tells it
+    /// let plate = Retarder::flat(0.25, 0.125); // a retarder alone changes no color
     /// let mut scene: Scene<16, 2> = Scene::new();
     /// scene.push(&vest)?;
     /// scene.push(&plate)?;
     ///
     /// let found = scene.within_budget(&EYE, &Light::flat(1.0), 0.5);
     /// assert!(found.scene.left_out().eq([1]) && found.delta_e == 0.0);
-    /// // The vest is worth more than that: to leave it out as well, the budget has to be large.
+    /// // Without fluorescence the vest would look different: that takes a larger budget.
     /// let found = scene.within_budget(&EYE, &Light::flat(1.0), 50.0);
     /// assert!(found.scene.left_out().eq([0, 1]) && found.delta_e > 1.0);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -94,7 +101,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         self.within_budget_with::<Portable>(eye, lamp, budget_delta_e)
     }
 
-    /// [`within_budget`](Self::within_budget) by the functions of `M`.
+    /// Leaves out effects as `within_budget` does, computed by the functions of the math backend `M`.
     #[must_use]
     pub fn within_budget_with<M: Math>(
         &self,
@@ -113,7 +120,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
                 let delta_e = self.difference_with::<M>(&scene, eye, lamp);
                 let price = scene.price().multiply_adds;
                 let saves_most = next.as_ref().is_none_or(|next| price < next.scene.price().multiply_adds);
-                // (Also false for NaN: what cannot be judged stays.)
+                // The comparison is false for NaN, so an effect that cannot be judged stays.
                 if delta_e <= budget_delta_e && saves_most {
                     next = Some(WithinBudget { scene, delta_e });
                 }

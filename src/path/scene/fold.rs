@@ -1,16 +1,15 @@
-//! A scene folded into the eye that looks at it.
+//! Folds a scene into the observer that looks at it.
 
 use crate::observer::Observer;
 use crate::path::PolarizedObserver;
 use crate::path::scene::{Part, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// The reason why a scene needs Stokes vectors: a part polarizes light, which one number for each bin does
-/// not describe.
+/// The error that is returned if a part polarizes light, which one number for each bin does not describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolarizationError {
-    /// The part, counted from 0.
+    /// The number of the first part that polarizes light, counted from 0.
     pub part: usize,
 }
 
@@ -18,7 +17,7 @@ impl core::fmt::Display for PolarizationError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
-            "part {} polarizes light: follow it with fold_polarized or leaving_polarized, or leave it out",
+            "part {} polarizes light: call fold_polarized or leaving_polarized, or leave its effect out",
             self.part
         )
     }
@@ -26,7 +25,7 @@ impl core::fmt::Display for PolarizationError {
 
 impl core::error::Error for PolarizationError {}
 
-/// The eye on its way back: asked for Stokes vectors only while parts need them.
+/// The observer on the way back to the lamp. It has weights for Stokes vectors only while parts need them.
 enum Eye<const C: usize, const N: usize, G> {
     Plain(Observer<C, N, Power, G>),
     Stokes(PolarizedObserver<C, N, Power, G>),
@@ -56,18 +55,20 @@ impl<const C: usize, const N: usize, G> Eye<C, N, G> {
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// This eye (or sensor) as it looks through the whole scene at a lamp: `scene.fold(&eye)?.sees(&lamp)`,
-    /// or `.under(&lamp)` to look at a reflectance that the light meets before the first part.
+    /// Folds the whole scene into an observer, so that it sees a lamp as if it looked through the scene.
     ///
-    /// Parts that change make a new fold; a lamp that changes does not.
+    /// `scene.fold(&eye)?.sees(&lamp)` returns what `eye` sees of the lamp's light. Call
+    /// [`under`](Observer::under) with the lamp to look at a reflectance that the light meets before the
+    /// first part. Fold again when a part changes; there is no need to when the lamp changes. See the
+    /// [example](#example).
     ///
     /// # Accuracy
-    /// What it sees is within 4e-7, and 3e-8 more for each part beyond four, of the sum of the terms' sizes
-    /// of what [`leaving`](Self::leaving) has the eye see.
+    /// What it sees differs from what the observer sees of [`leaving`](Self::leaving) by at most 4e-7 of the
+    /// sum of the absolute values of all terms, and by 3e-8 more for each part beyond four.
     ///
     /// # Errors
-    /// [`PolarizationError`]: a mirror, a polarizer or a retarder is in the path;
-    /// [`fold_polarized`](Self::fold_polarized) carries what they do.
+    /// Returns a [`PolarizationError`] if a mirror, a polarizer or a retarder is in the scene and its effect
+    /// is not left out; [`fold_polarized`](Self::fold_polarized) folds them too.
     pub fn fold<const C: usize>(
         &self,
         eye: &Observer<C, N, Power, G>,
@@ -76,8 +77,10 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         Ok(self.fold_polarized(eye))
     }
 
-    /// As [`fold`](Self::fold), with weights for Stokes vectors where parts need them. The light of the lamp
-    /// is unpolarized.
+    /// Folds the whole scene into an observer as [`fold`](Self::fold) does, with weights for Stokes vectors
+    /// where parts polarize light.
+    ///
+    /// The light of the lamp is unpolarized.
     #[must_use]
     pub fn fold_polarized<const C: usize>(&self, eye: &Observer<C, N, Power, G>) -> Observer<C, N, Power, G> {
         let mut eye = Eye::Plain(*eye);
@@ -96,7 +99,7 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
         eye.unpolarized()
     }
 
-    /// Whether one number for each bin describes all that happens.
+    /// Returns an error if one number for each bin does not describe all that happens.
     pub(super) fn unpolarized(&self) -> Result<(), PolarizationError> {
         let polarizes = self.steps().position(|step| !step.left_out && step.part.polarizes());
         polarizes.map_or(Ok(()), |part| Err(PolarizationError { part }))

@@ -1,11 +1,16 @@
-//! A path that is chosen at run time.
+//! A path that is put together at run time.
+
+mod parts;
+
+mod walk;
+
+mod fold;
 
 mod bill;
+
 mod budget;
-mod fold;
+
 mod part;
-mod parts;
-mod walk;
 
 pub use bill::BillLine;
 pub use budget::WithinBudget;

@@ -1,35 +1,40 @@
-//! What a scene is made of.
+//! The parts that a scene is made of.
 
 use crate::grid::Bins;
 use crate::matter::{Foldable, Mueller};
 use crate::path::{Own, Price};
 use crate::spectrum::{Factor, Spectrum};
 
-/// What light can meet in a [`Scene`](crate::path::scene::Scene), by reference.
+/// A reference to matter that light can meet in a [`Scene`](crate::path::scene::Scene), which says what kind
+/// of matter it is.
 ///
-/// All but the first two come [from a reference](IntoPart), so `scene.push(&vest)` is enough. A spectrum of
-/// factors has to say which it is: light behind a filter stays polarized, light off a matt surface does not.
+/// Most matter is a part [by itself](IntoPart), so `scene.push(&vest)` is enough. Only for a spectrum of
+/// factors you have to say whether it is a [`Filter`](Self::Filter), behind which light stays polarized, or a
+/// [`Surface`](Self::Surface), off which it does not. See the [example](crate::path::Scene#example).
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub enum Part<'a, const N: usize, G = Bins<380, 730>> {
-    /// Colored glass, a dyed liquid: dims all polarizations alike.
+    /// Colored glass, or a dyed liquid, which dims all polarizations alike.
     Filter(&'a Spectrum<Factor, N, G>),
-    /// A matt surface: what it scatters back is unpolarized.
+    /// A matt surface, which scatters light back unpolarized.
     Surface(&'a Spectrum<Factor, N, G>),
-    /// A surface or a filter that fluoresces: a dye, a Donaldson matrix, an effect of your own in [`Own`].
-    /// What leaves it counts as unpolarized, also behind clear matter.
+    /// Matter that moves light between bins, as a dye, a Donaldson matrix or an effect of your own ([`Own`])
+    /// does.
+    ///
+    /// What leaves it counts as unpolarized, even behind clear matter.
     Effect(&'a (dyn Foldable<N, G> + Sync)),
-    /// A mirror, a polarizer or a retarder, by its Mueller matrix.
+    /// A mirror, a polarizer or a retarder, which is described by its Mueller matrix.
     Polarizing {
-        /// What bills call it.
+        /// The name under which it stands in [bills](crate::path::Scene::bill).
         name: &'static str,
-        /// What it does.
+        /// The Mueller matrix that says what it does to light.
         mueller: &'a Mueller<N, G>,
     },
 }
 
 impl<const N: usize, G> Part<'_, N, G> {
-    /// Its name, for bills: `"filter"`, `"dye"`, ..
+    /// Returns the name that [bills](crate::path::Scene::bill) use for this kind of part, as `"filter"` or
+    /// `"dye"`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -40,7 +45,7 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// The price of working it out once, for light that is not followed as Stokes vectors.
+    /// Returns the price that is paid to compute all bins behind this part once, for unpolarized light.
     #[must_use]
     pub fn price(&self) -> Price {
         match self {
@@ -50,8 +55,10 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// The factors that remain of it if its effect is left out: the reflectance of a dye without the glow,
-    /// the diagonal of a matrix, the share of unpolarized light that a mirror passes on.
+    /// Returns the factors that remain if the effect of this part is left out.
+    ///
+    /// These are the reflectance of a dye without its fluorescence, the diagonal of a Donaldson matrix, or
+    /// the share of unpolarized light that a mirror, polarizer or retarder passes on.
     #[must_use]
     pub fn without_effect(&self) -> Spectrum<Factor, N, G> {
         match self {
@@ -61,7 +68,8 @@ impl<const N: usize, G> Part<'_, N, G> {
         }
     }
 
-    /// Whether one number for each bin does not describe what it does.
+    /// Returns whether this part polarizes light, so that one number for each bin does not describe what it
+    /// does.
     pub(super) const fn polarizes(&self) -> bool {
         matches!(self, Part::Polarizing { .. })
     }
@@ -73,16 +81,19 @@ impl<const N: usize, G> core::fmt::Debug for Part<'_, N, G> {
     }
 }
 
-/// What can be pushed into a [`Scene`](crate::path::scene::Scene): a [`Part`], or a reference that says which
-/// it is.
+/// Types that can be pushed into a [`Scene`](crate::path::scene::Scene): a [`Part`], a reference to matter
+/// other than a spectrum, or an effect of your own in [`Own`].
+///
+/// There is nothing to call here; see the [example](crate::path::Scene#example) of a scene.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what it is in a scene of {N} bins of `{G}`",
     label = "no part of a scene",
-    note = "write `Part::Filter(&glass)` or `Part::Surface(&paper)`; `&Dye`, `&Donaldson`, `&Phosphor`, `&Mirror`, `&Polarizer` \
-            and `&Retarder` are parts by themselves, an effect of your own is one in `Own::new(&ink)`; all lie on one grid"
+    note = "write `Part::Filter(&glass)` or `Part::Surface(&paper)`; `&Dye`, `&Donaldson`, `&Phosphor`, \
+            `&Mirror`, `&Polarizer` and `&Retarder` are parts by themselves, an effect of your own is one in \
+            `Own::new(&ink)`; all lie on one grid"
 )]
 pub trait IntoPart<'a, const N: usize, G> {
-    /// The part.
+    /// Returns the part of a scene that this value stands for.
     fn into_part(self) -> Part<'a, N, G>;
 }
 

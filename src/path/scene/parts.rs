@@ -1,16 +1,20 @@
-//! The parts of a scene, in order.
+//! A scene holds its parts in the order in which light meets them.
 
 use crate::grid::Bins;
 use crate::path::scene::{IntoPart, Part};
 use crate::path::{Effects, Price};
 
-/// A path that is chosen at run time, by a slider in a web page or by a file: up to `CAP` parts, in the order
-/// in which light meets them, in fixed memory. Where the path is known while compiling,
-/// `lamp.through(&glass).onto(&vest)` is better: what cannot be does not compile.
+/// A path that is put together at run time, as by a slider in a web page or from a file.
 ///
-/// A scene can be evaluated from the lamp on, part by part ([`leaving`](Self::leaving)), or from the eye
-/// back: [`fold`](Self::fold) gives an observer that costs as much as any other.
+/// It holds references to up to `CAP` parts, in the order in which light meets them, in fixed memory. Start
+/// with [`new`](Self::new) and [`push`](Self::push) the parts. Then either follow the light of a lamp
+/// from part to part ([`leaving`](Self::leaving)), or [`fold`](Self::fold) the scene into an observer, which
+/// then costs as much as any other observer.
 ///
+/// Where the path is known while compiling, write `lamp.through(&glass).onto(&vest)` instead: then the
+/// compiler refuses paths that have no meaning.
+///
+/// # Example
 /// ```
 /// use nanospectra::matter::Dye;
 /// use nanospectra::observer::CIE_1931;
@@ -20,7 +24,7 @@ use crate::path::{Effects, Price};
 /// static EYE: Observer<3, 16, Power> = CIE_1931.fold(Curve::Step);
 ///
 /// let window = Reflectance::<16>::flat(0.8);
-/// // A vest: gray by itself, it absorbs blue and emits green.
+/// // A vest of dark gray cloth whose dye absorbs blue and emits green.
 /// let gray = Reflectance::flat(0.1);
 /// let absorbs = Reflectance::at_centers(|nm| if nm < 480.0 { 0.8 } else { 0.0 });
 /// let emits = Light::at_centers(|nm| if nm > 500.0 && nm < 560.0 { 1.0 } else { 0.0 });
@@ -32,10 +36,10 @@ use crate::path::{Effects, Price};
 /// scene.push(&vest)?;
 /// assert_eq!(scene.effects(), Effects::FLUORESCENCE);
 ///
-/// let walked = EYE.sees(&scene.leaving(&lamp)?);
+/// let seen = EYE.sees(&scene.leaving(&lamp)?);
 /// let folded = scene.fold(&EYE)?.sees(&lamp);
-/// assert!((folded[1] / walked[1] - 1.0).abs() < 4e-7);
-/// // 64 multiply-adds for the parts, where the folded eye has them in its weights.
+/// assert!((folded[1] / seen[1] - 1.0).abs() < 4e-7);
+/// // Following the light takes 64 multiply-adds for the parts. The folded eye has them in its weights.
 /// assert_eq!(scene.price().multiply_adds, 16 + 3 * 16);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -44,18 +48,18 @@ pub struct Scene<'a, const N: usize, const CAP: usize, G = Bins<380, 730>> {
     steps: [Option<Step<'a, N, G>>; CAP],
 }
 
-/// A part, and whether its effect is left out.
+/// A part together with whether its effect is left out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step<'a, const N: usize, G> {
     pub(super) part: Part<'a, N, G>,
     pub(super) left_out: bool,
 }
 
-/// The reason why a part could not be pushed: the scene is full.
+/// The error that [`Scene::push`] returns if the scene is full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneFullError {
-    /// How many parts there is room for.
+    /// How many parts the scene can hold.
     pub capacity: usize,
 }
 
@@ -68,16 +72,20 @@ impl core::fmt::Display for SceneFullError {
 impl core::error::Error for SceneFullError {}
 
 impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
-    /// An empty scene: nothing stands between the lamp and the eye.
+    /// Returns an empty scene, in which nothing stands between the lamp and the observer.
+    ///
+    /// See the [example](#example).
     #[must_use]
     pub const fn new() -> Self {
         Scene { steps: [const { None }; CAP] }
     }
 
-    /// Puts a part behind the others: the one that the light meets last, before the eye.
+    /// Adds a part at the end, the one that the light meets last before it reaches the observer.
+    ///
+    /// See the [example](#example).
     ///
     /// # Errors
-    /// [`SceneFullError`]: there are `CAP` parts already.
+    /// Returns a [`SceneFullError`] if the scene holds `CAP` parts already.
     pub fn push(&mut self, part: impl IntoPart<'a, N, G>) -> Result<(), SceneFullError> {
         let free =
             self.steps.iter_mut().find(|step| step.is_none()).ok_or(SceneFullError { capacity: CAP })?;
@@ -85,13 +93,30 @@ impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
         Ok(())
     }
 
-    /// The parts, in the order in which light meets them.
+    /// Returns the parts in the order in which light meets them.
     pub fn parts(&self) -> impl DoubleEndedIterator<Item = &Part<'a, N, G>> {
         self.steps().map(|step| &step.part)
     }
 
-    /// This scene with the effect of part `k` (counted from 0) left out: a dye does not glow, a mirror dims
-    /// all polarizations alike. Nothing changes where part `k` has no effect or does not exist.
+    /// Returns this scene with the effect of part `k` (counted from 0) left out: then a dye does not
+    /// fluoresce, and a mirror dims all polarizations alike.
+    ///
+    /// Nothing changes if part `k` has no effect or does not exist.
+    ///
+    /// ```
+    /// # use nanospectra::Light;
+    /// # use nanospectra::matter::Polarizer;
+    /// # use nanospectra::path::{PolarizationError, Scene};
+    /// let sheet = Polarizer::ideal(0.0);
+    /// let mut scene: Scene<31, 1> = Scene::new();
+    /// scene.push(&sheet)?;
+    /// let lamp = Light::flat(1.0);
+    /// assert_eq!(scene.leaving(&lamp), Err(PolarizationError { part: 0 }));
+    /// // A polarizer that dims all polarizations alike passes half of the light.
+    /// let light = scene.leaving_out(0).leaving(&lamp)?;
+    /// assert!((light.values()[0] - 0.5).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn leaving_out(mut self, k: usize) -> Self {
         if let Some(Some(step)) = self.steps.get_mut(k) {
@@ -100,12 +125,14 @@ impl<'a, const N: usize, const CAP: usize, G> Scene<'a, N, CAP, G> {
         self
     }
 
-    /// The parts whose effect is left out, counted from 0.
+    /// Returns the numbers, counted from 0, of the parts whose effect is left out.
+    ///
+    /// See the [example](Self::within_budget) of a budget.
     pub fn left_out(&self) -> impl Iterator<Item = usize> {
         self.steps().enumerate().filter(|(_, step)| step.left_out).map(|(k, _)| k)
     }
 
-    /// The effects of all parts, without those that are left out.
+    /// Returns the effects of all parts except those that are left out. See the [example](#example).
     #[must_use]
     pub fn effects(&self) -> Effects {
         self.steps().fold(Effects::NONE, |effects, step| effects.and(step.price().effects))
@@ -123,7 +150,7 @@ impl<const N: usize, const CAP: usize, G> Default for Scene<'_, N, CAP, G> {
 }
 
 impl<const N: usize, G> Step<'_, N, G> {
-    /// For light that is not followed as Stokes vectors.
+    /// The price for light that is not followed as Stokes vectors.
     pub(super) fn price(&self) -> Price {
         if self.left_out { Price::factor(N) } else { self.part.price() }
     }

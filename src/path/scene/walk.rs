@@ -1,11 +1,12 @@
-//! Light through a scene, part by part.
+//! Follows light through a scene, part by part.
 
 use crate::matter::Mueller;
 use crate::path::scene::parts::Step;
 use crate::path::scene::{Part, PolarizationError, Scene};
 use crate::spectrum::{Factor, Power, Spectrum};
 
-/// Light on its way: as Stokes vectors only from a part that polarizes to the next that scatters.
+/// Light between two parts of a scene. It is followed as Stokes vectors only from a part that polarizes to
+/// the next part that scatters.
 enum Beam<const N: usize> {
     Plain([f32; N]),
     Stokes([[f32; 4]; N]),
@@ -70,17 +71,21 @@ fn times<const N: usize, G>(mut light: [f32; N], factors: &Spectrum<Factor, N, G
 }
 
 impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
-    /// What reaches the eye of the light of `lamp`, which is unpolarized.
+    /// Returns the light that reaches the observer when the unpolarized light of `lamp` enters the scene.
+    ///
+    /// See the [example](#example).
     ///
     /// # Errors
-    /// [`PolarizationError`]: a mirror, a polarizer or a retarder is in the path;
-    /// [`leaving_polarized`](Self::leaving_polarized) follows what they do.
+    /// Returns a [`PolarizationError`] if a mirror, a polarizer or a retarder is in the scene and its effect
+    /// is not left out; [`leaving_polarized`](Self::leaving_polarized) computes what they do.
     pub fn leaving(&self, lamp: &Spectrum<Power, N, G>) -> Result<Spectrum<Power, N, G>, PolarizationError> {
         self.unpolarized()?;
         Ok(self.leaving_polarized(lamp))
     }
 
-    /// What reaches the eye, as [`leaving`](Self::leaving), with Stokes vectors where parts need them.
+    /// Returns the light that reaches the observer, and follows it as Stokes vectors where parts polarize it.
+    ///
+    /// For a scene without such parts it returns what [`leaving`](Self::leaving) does.
     #[must_use]
     pub fn leaving_polarized(&self, lamp: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G> {
         let beam = self.steps().fold(Beam::Plain(lamp.0), Beam::after);

@@ -1,24 +1,27 @@
-//! Disks: to each other on one axis, and from a point that faces the disk's plane.
+//! Computes form factors between coaxial disks, and from a point to a disk that is parallel to its surface.
 
 use crate::geometry::vec3::to_unity;
 use crate::math::sqrt;
 
-/// From a disk of `radius_1_m` to one of `radius_2_m`, both on one axis and facing each other.
+/// Returns the form factor from a disk of `radius_1_m` to one of `radius_2_m` on the same axis.
+///
+/// The disks face each other at `distance_m`.
 ///
 /// # Accuracy
-/// 6 units of 2^-24, relative, also where F is tiny (the textbook's difference has nothing left
-/// at a hundredth of a radian).
+/// The relative error is at most 6 units of 2^-24, also where F is tiny. (The textbook formula is a
+/// difference that has no digit left for disks of a hundredth of a radian.)
 ///
+/// # Example
 /// ```
 /// use nanospectra::radiometry::form_factor::coaxial_disks;
-/// // Equal disks one radius apart: (3 - sqrt 5) / 2.
+/// // For equal disks one radius apart it is (3 - sqrt 5) / 2.
 /// assert!((coaxial_disks(1.0, 1.0, 1.0) - 0.381_966).abs() < 1e-7);
 /// ```
 #[must_use]
 pub fn coaxial_disks(radius_1_m: f32, radius_2_m: f32, distance_m: f32) -> f32 {
     let k = to_unity([radius_1_m, radius_2_m, distance_m]);
     let [r1, r2, d] = [radius_1_m, radius_2_m, distance_m].map(|x| (x * k).abs());
-    // Squared distances from rim to rim, across and along.
+    // The squares of the longest and of the shortest distance from rim to rim.
     let across = d * d + (r1 + r2) * (r1 + r2);
     let along = d * d + (r1 - r2) * (r1 - r2);
     let sum = d * d + r1 * r1 + r2 * r2;
@@ -28,15 +31,18 @@ pub fn coaxial_disks(radius_1_m: f32, radius_2_m: f32, distance_m: f32) -> f32 {
     2.0 * r2 * r2 / (sum + sqrt(along) * sqrt(across))
 }
 
-/// From a point to a disk in a plane parallel to its own, at a distance, with the disk's center `offset_m`
-/// beside the point's normal.
+/// Returns the form factor from a point to a disk whose plane is parallel to the surface at the point.
+///
+/// `distance_m` is the distance between the two planes, and `offset_m` the distance of the disk's center from
+/// the normal through the point.
 ///
 /// # Accuracy
-/// 6e-7, relative.
+/// The relative error is at most 6e-7.
 ///
+/// # Example
 /// ```
 /// use nanospectra::radiometry::form_factor::to_disk;
-/// // On the axis: r^2 / (r^2 + d^2).
+/// // On the axis it is r^2 / (r^2 + d^2).
 /// assert_eq!(to_disk(1.0, 2.0, 0.0), 0.2);
 /// ```
 #[must_use]
@@ -47,7 +53,7 @@ pub fn to_disk(radius_m: f32, distance_m: f32, offset_m: f32) -> f32 {
     let root = sqrt(h * h + inside * inside) * sqrt(h * h + across * across);
     let beyond = h * h - inside * across;
     if root == 0.0 {
-        // In the plane: on the rim, or nothing at no distance.
+        // The point lies in the disk's plane, on its rim. A disk of radius 0 has no form factor.
         if r == 0.0 { 0.0 } else { 0.5 }
     } else if beyond < 0.0 {
         0.5 * (root - beyond) / root

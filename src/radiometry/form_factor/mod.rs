@@ -1,11 +1,27 @@
-//! Form factors (view factors): the share of what one diffuse surface emits that reaches another, and of what
-//! a point's hemisphere can send, the share that comes from a surface (then also called configuration
-//! factor).
+//! Computes form factors (view factors), which say how much light a surface sends to another or to a point.
 //!
-//! From a surface to a surface, `A1 F12 = A2 F21` ([`reciprocal`]); from a point, the irradiance by a
-//! Lambertian surface of radiance L is `pi L F`
-//! ([`through_form_factor`](crate::radiometry::Radiance::through_form_factor)). Lengths are in m (any one
-//! unit will do). All results are within 0..=1 but for rounding.
+//! Between two surfaces, F12 is the share of the light leaving the first, diffuse surface that reaches the
+//! second one. It obeys `A1 F12 = A2 F21` ([`reciprocal`]). The functions are [`coaxial_disks`],
+//! [`parallel_rectangles`] and [`perpendicular_rectangles`].
+//!
+//! From a point with a normal, F is the irradiance that a surface causes over the irradiance that the whole
+//! hemisphere would cause with the same radiance (also called configuration factor). The irradiance by a
+//! Lambertian surface of radiance L is `pi L F`, which
+//! [`through_form_factor`](crate::radiometry::Radiance::through_form_factor) returns. The functions are
+//! [`to_disk`], [`to_sphere`] and [`to_polygon`].
+//!
+//! Lengths are in m, or in any other unit that is the same for all of them. All results are within 0..=1
+//! except for rounding.
+//!
+//! # Example
+//! ```
+//! use nanospectra::radiometry::{Nit, form_factor};
+//!
+//! // A round lamp of 2000 cd/m2 and 0.2 m radius, 1 m above a desk: F = r^2 / (r^2 + d^2).
+//! let f = form_factor::to_disk(0.2, 1.0, 0.0);
+//! assert!((f - 0.04 / 1.04).abs() < 1e-7);
+//! assert_eq!(format!("{:.1}", Nit::from(2000.0).through_form_factor(f)), "241.7 lx");
+//! ```
 
 mod disk;
 mod polygon;
@@ -26,11 +42,14 @@ pub use sphere::to_sphere_with;
 
 use crate::radiometry::carried::ratio;
 
-/// The factor back, F21, from F12 and the two areas: A1 F12 = A2 F21.
+/// Returns the form factor F21 of the opposite direction, from F12 and the two areas.
 ///
+/// It uses the reciprocity A1 F12 = A2 F21. Areas are in m2, or in any other unit that is the same for both.
+///
+/// # Example
 /// ```
 /// use nanospectra::radiometry::form_factor::{coaxial_disks, reciprocal};
-/// let (lamp, table) = (0.1, 1.0);
+/// let (lamp, table) = (0.1, 1.0); // radii; areas are as their squares
 /// let there = coaxial_disks(lamp, table, 2.0);
 /// let back = reciprocal(there, lamp * lamp, table * table);
 /// assert!((back / coaxial_disks(table, lamp, 2.0) - 1.0).abs() < 5e-7);

@@ -31,7 +31,7 @@ impl Row {
     }
 }
 
-const HOLDERS: [&str; 6] = ["measured", "absolute", "formula", "record", "test", "reading"];
+const HOLDERS: [&str; 7] = ["measured", "absolute", "formula", "record", "test", "text", "reading"];
 
 /// What the text of the table says.
 pub fn entries(text: &str) -> Vec<Entry> {

@@ -27,6 +27,7 @@ pub fn holds(row: &Row, number: &str, records: &Records) -> Result<(), String> {
             verdict(found && (0.5..=1.0).contains(&share), || format!("{share} of it, {what}"))
         }
         "test" => stands_in_the_test(number, what),
+        "text" => verdict(has_word(&read(what), number), || format!("no {number} in {what}")),
         "reading" => {
             let (bench, id) = what.split_once(' ').ok_or("no id")?;
             let found = read(&format!("benches/{bench}.rs")).contains(id);

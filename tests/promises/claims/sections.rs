@@ -17,6 +17,15 @@ pub struct Number {
     pub text: String,
     /// The word behind it.
     pub unit: String,
+    /// Between backticks: an input or a constant, as code has it.
+    in_code: bool,
+}
+
+impl Number {
+    /// Does it look like something that was measured?
+    pub fn is_bound(&self) -> bool {
+        !self.in_code && (self.text.contains('.') || self.text.contains("e-"))
+    }
 }
 
 /// Numbers of a section, in their order.
@@ -44,7 +53,7 @@ fn add_sources(folder: &Path, texts: &mut Texts) {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
             add_sources(&path, texts);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
+        } else if path.extension().is_some_and(|extension| extension == "rs" || extension == "md") {
             let name = path.strip_prefix(ROOT).expect("below the root").to_string_lossy().replace('\\', "/");
             texts.insert(name, fs::read_to_string(path).expect("a source"));
         }
@@ -52,7 +61,7 @@ fn add_sources(folder: &Path, texts: &mut Texts) {
 }
 
 /// Every section by its title: `color/cct.rs cct Accuracy`, with `Summary` for what precedes the first
-/// heading and `module` for an item where a file is documented; `README.md What accuracy costs`;
+/// heading and `module` for an item where a file is documented; `guide/bands.md Narrow lines` of a page;
 /// `Cargo.toml description`. Those that share a title are one.
 pub fn sections(texts: &Texts) -> BTreeMap<String, Section> {
     let mut found: BTreeMap<String, Section> = BTreeMap::new();
@@ -72,7 +81,7 @@ pub fn sections(texts: &Texts) -> BTreeMap<String, Section> {
             let offset = start + line.len() - line.trim_start().len();
             start += line.len();
             let line = line.trim();
-            if file == "README.md" {
+            if file.ends_with(".md") {
                 block.read(offset, line);
             } else if file == "Cargo.toml" {
                 if line.starts_with("description") {
@@ -122,6 +131,7 @@ impl Block {
             known.extend(numbers(line).into_iter().map(|at| Number {
                 text: plain(&line[at.clone()]),
                 unit: first_word(line[at.end..].trim_start()),
+                in_code: line[..at.start].matches('`').count() % 2 == 1,
                 at: offset + at.start..offset + at.end,
             }));
         }

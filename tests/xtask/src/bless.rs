@@ -28,7 +28,7 @@ pub fn run(mut lane: Lane) -> Outcome {
         ));
     }
     lane.run(
-        "the cost study, with its chart and the tables of the README",
+        "the cost study, with its chart and the tables of the README and the guides and the guides",
         "cargo run --release -p nanospectra-cost -- --bless",
     );
     lane.step("the largest errors, the table of hard cases and the table of Ohno's method", |shell| {

@@ -55,7 +55,7 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
     });
     lane.step("the benches run and check their results", |shell| benches(shell, packages));
     lane.run(
-        "what accuracy costs: every figure on record, and the tables of the README",
+        "what accuracy costs: every figure on record, and the tables of the README and the guides",
         "cargo run --release -p nanospectra-cost -- --quick --check",
     );
     lane.step("the examples and the first command of the README run", |shell| {

@@ -1,8 +1,8 @@
-//! The illuminants of the CIE by their names.
+//! Finds the illuminants of the CIE by their names.
 
 use nanospectra::{Fine, Interpolation, Power, light};
 
-/// An illuminant with its name as the CIE writes it, whatever the case of `name`.
+/// Returns an illuminant, with its name as the CIE writes it. The case of `name` does not matter.
 pub fn find(name: &str, by: Interpolation) -> Option<(String, Fine<Power>)> {
     let name = name.to_uppercase();
     light::interpolated(&name, by).map(|power| (name, power))

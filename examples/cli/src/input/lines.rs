@@ -1,23 +1,28 @@
-//! The lines of a CSV text.
+//! Splits a CSV text into lines and cells.
 
-/// The lines with something in them that is no comment, with their numbers, counted from 1.
+/// Returns the lines that are neither empty nor comments, with their numbers counted from 1.
 pub fn rows(text: &str) -> impl Iterator<Item = (&str, usize)> + Clone {
     let is_row = |(line, _): &(&str, usize)| !line.trim().is_empty() && !line.trim_start().starts_with('#');
     text.lines().zip(1..).filter(is_row)
 }
 
-/// Quotes are closed on the line where they were opened: one left open would swallow the rest of the file.
+/// Checks that a line has no stray carriage return, and that its quotes are closed.
+///
+/// Quotes must be closed on the line where they were opened, because an open one would swallow the rest of
+/// the file.
 pub fn check(line: &str) -> Result<(), String> {
     if line.contains('\r') {
-        return Err("a carriage return inside the line; save with LF or CRLF line ends".into());
+        return Err(
+            "there is a carriage return inside the line; save the file with LF or CRLF line ends".into()
+        );
     }
     if !line.matches('"').count().is_multiple_of(2) {
-        return Err("a quote is opened and not closed; close it on the same line".into());
+        return Err("a quote is opened but not closed; close it on the same line".into());
     }
     Ok(())
 }
 
-/// The cells of a line by the rules of CSV, trimmed.
+/// Returns the cells of a line by the rules of CSV, without blanks around them.
 pub fn cells(line: &str, delimiter: char) -> Result<Vec<String>, String> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)

@@ -1,4 +1,6 @@
-//! Reading what a user gives: texts, tables, names of illuminants. Strict: nothing is guessed or dropped.
+//! Reads what a user provides: texts, tables and names of illuminants.
+//!
+//! Reading is strict: nothing is guessed or dropped, and what is wrong is an error.
 
 pub mod illuminants;
 pub mod lines;

@@ -1,57 +1,59 @@
-//! Text to columns of numbers. Strict: whatever is not plainly a table of numbers is an error.
+//! Converts text to columns of numbers.
+//!
+//! Parsing is strict: whatever is not clearly a table of numbers is an error.
 
 use super::{lines, text};
 use crate::failure::{Failure, short};
 use std::path::Path;
 
-/// A wavelength column and the columns beside it.
+/// A column of wavelengths and the columns beside it.
 #[derive(Debug)]
 pub struct Table {
-    /// The line each row was read from, counted from 1.
+    /// The line from which each row was read, counted from 1.
     pub lines: Vec<usize>,
-    /// Wavelengths in nm, strictly increasing, at least two.
+    /// The wavelengths in nm, of which there are at least two, in increasing order.
     pub wavelengths: Vec<f64>,
-    /// At least one.
+    /// The columns of values, of which there is at least one.
     pub columns: Vec<Column>,
 }
 
 /// One column of values.
 #[derive(Debug)]
 pub struct Column {
-    /// From the heading line.
+    /// The name in the heading, if there is one.
     pub name: Option<String>,
-    /// As many as there are wavelengths, all finite.
+    /// The values, which are finite, one for each wavelength.
     pub values: Vec<f64>,
 }
 
-/// What stands between the cells of a row.
+/// The separator between the cells of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Separator {
     Mark(char),
     Blanks,
 }
 
-/// The table of a file, or of standard input for `-`, and what messages call it.
+/// Returns the table of a file, or of standard input for `-`, with the name that messages use for it.
 fn read(path: &Path) -> Result<(String, Table), Failure> {
     let (file, text) = text::read(path)?;
     let table = parse(&file, &text)?;
     Ok((file, table))
 }
 
-/// (wavelength in nm, value) of a table with one column beside the wavelengths.
+/// Returns the pairs (wavelength in nm, value) of a file with one column beside the wavelengths.
 pub fn samples(path: &Path) -> Result<Vec<(f32, f32)>, Failure> {
     let (file, table) = read(path)?;
     let [column] = &table.columns[..] else {
         let count = table.columns.len();
         let what = "columns of values where one is wanted; save that one to a file of its own";
         let name = table.columns[0].name.as_ref().map_or(String::new(), |name| format!(" ({name}, ..)"));
-        return Err(Failure::of(file + &name, format_args!("{count} {what}")));
+        return Err(Failure::of(file + &name, format_args!("the file has {count} {what}")));
     };
     let values = column.values.iter();
     Ok(table.wavelengths.iter().zip(values).map(|(nm, value)| (*nm as f32, *value as f32)).collect())
 }
 
-/// The table in a text; `file` is its name for messages.
+/// Parses the table in a text, where `file` is the name of the text in messages.
 pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
     let rows = lines::rows(text);
     let at = |number: usize| move |what: String| Failure::at(file, number, what);
@@ -62,7 +64,7 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
         number_in(cell).map(|_| (Separator::of(line), number))
     }) else {
         let line = rows.clone().next().map_or(1, |(_, number)| number);
-        let what = "no row of numbers; give rows of a wavelength in nm and one or more values";
+        let what = "there is no row of numbers; give rows with a wavelength in nm and one or more values";
         return Err(at(line)(what.into()));
     };
 
@@ -72,7 +74,8 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
         let cells = separator.cells(line).map_err(at(number))?;
         if number < first_row {
             if heading.is_some() {
-                let what = "neither a heading nor numbers; begin the line with '#' to skip it";
+                let what =
+                    "this is neither a heading nor a row of numbers; begin the line with '#' to skip it";
                 return Err(at(number)(what.into()));
             }
             check_heading(&cells).map_err(at(number))?;
@@ -91,8 +94,10 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
 }
 
 impl Separator {
-    /// The separator of a row of numbers: a semicolon goes before a tab before a comma, because a
-    /// comma may also be somebody's decimal point (and is then refused as a number).
+    /// Finds the separator of a row of numbers.
+    ///
+    /// A semicolon takes precedence over a tab, and a tab over a comma, because a comma may be meant as a
+    /// decimal point (which is then refused as a number).
     fn of(row: &str) -> Self {
         let bare: String = row.split('"').step_by(2).collect();
         let mark = [';', '\t', ','].into_iter().find(|mark| bare.contains(*mark));
@@ -115,7 +120,7 @@ impl Separator {
             Separator::Mark(mark) => mark,
             Separator::Blanks => ' ',
         };
-        // CSV wants quotes right beside the separators; `nm, "a"` has a blank between.
+        // CSV requires quotes directly beside the separators, but `nm, "a"` has a blank between them.
         let mut parts: Vec<&str> = line.split('"').collect();
         let last = parts.len() - 1;
         for (k, part) in parts.iter_mut().enumerate().step_by(2) {
@@ -123,7 +128,7 @@ impl Separator {
             let apart =
                 (k == 0 || outside.starts_with(delimiter)) && (k == last || outside.ends_with(delimiter));
             if !outside.is_empty() && !apart {
-                return Err("text beside a quoted cell; put the quotes around the whole cell".into());
+                return Err("there is text beside a quoted cell; put the quotes around the whole cell".into());
             }
             *part = outside;
         }
@@ -133,8 +138,9 @@ impl Separator {
     }
 }
 
-/// A first line without a wavelength is a heading only if it looks like one: a slip in the first
-/// row of numbers must not turn the row into names.
+/// Checks that a first line without a wavelength looks like a heading.
+///
+/// Otherwise a mistake in the first row of numbers would turn that row into names.
 fn check_heading(cells: &[String]) -> Result<(), String> {
     let first = cells.first().map_or("", String::as_str);
     let plain = first.to_lowercase();
@@ -143,24 +149,25 @@ fn check_heading(cells: &[String]) -> Result<(), String> {
     let numbers_follow = cells.len() > 1 && cells[1..].iter().all(|cell| number_in(cell).is_some());
     if starts_like_number || (numbers_follow && !names_wavelengths) {
         return Err(format!(
-            "'{}' is not a wavelength; correct it, or begin the heading with 'nm' if this is one",
+            "'{}' is not a wavelength; correct it, or begin the line with 'nm' if it is a heading",
             short(first)
         ));
     }
     Ok(())
 }
 
-/// The columns that the first row promises, named by the heading.
+/// Returns the columns of the first row, named by the heading.
 fn columns(row: &[String], heading: Option<&(Vec<String>, usize)>) -> Result<Vec<Column>, String> {
     if row.len() < 2 {
-        let what = "no value beside the wavelength; give rows of a wavelength in nm and one or more values";
+        let what = "there is no value beside the wavelength; give rows with a wavelength in nm and one or more values";
         return Err(what.into());
     }
     let mut names = vec![None; row.len() - 1];
     if let Some((cells, line)) = heading {
         if cells.len() != row.len() {
             return Err(format!(
-                "{} here but {} in the heading (line {line}); make them agree (quote names that hold a separator)",
+                "the row has {}, but the heading in line {line} has {}; \
+                 make both agree, with quotes around names that contain a separator",
                 count(row.len()),
                 cells.len()
             ));
@@ -180,9 +187,9 @@ impl Table {
         if cells.len() != self.columns.len() + 1 {
             let wanted = self.columns.len() + 1;
             let found = count(cells.len());
-            return Err(format!("{found} where the rows before have {wanted}; complete the row"));
+            return Err(format!("the row has {found}, but the rows before it have {wanted}; complete it"));
         }
-        let nm = number(&cells[0], "wavelength")?;
+        let nm = number(&cells[0], "the wavelength")?;
         self.check_wavelength(nm)?;
         for (k, (cell, column)) in cells[1..].iter().zip(&mut self.columns).enumerate() {
             let what = column.name.as_ref().map_or(format!("cell {}", k + 2), |name| format!("'{name}'"));
@@ -201,13 +208,13 @@ impl Table {
             return Ok(());
         };
         if nm == before {
-            return Err(format!("{nm} nm stands in line {line} too; keep one of the two rows"));
+            return Err(format!("{nm} nm is in line {line} too; keep one of the two rows"));
         }
         if nm < before {
             return Err(format!("{nm} nm comes after {before} nm; sort the rows by wavelength"));
         }
         if nm as f32 == before as f32 {
-            return Err(format!("{nm} nm is too near to {before} nm to tell apart; use wider steps"));
+            return Err(format!("{nm} nm is too near to {before} nm to tell them apart; use wider steps"));
         }
         Ok(())
     }
@@ -215,16 +222,16 @@ impl Table {
 
 fn number(cell: &str, what: &str) -> Result<f64, String> {
     if cell.is_empty() {
-        return Err(format!("{what} is empty; fill it in (0 if nothing was measured is for you to say)"));
+        return Err(format!("{what} is empty; fill it in (with 0 only if 0 was measured)"));
     }
     let said = short(cell);
     match number_in(cell) {
         Some(number) if number.is_finite() => Ok(number),
-        Some(_) => Err(format!("{what} is {said}, not a finite number; correct it")),
+        Some(_) => Err(format!("{what} is {said}, which is not a finite number; correct it")),
         None if number_in(&cell.replacen(',', ".", 1)).is_some() => {
             Err(format!("{what} is '{said}'; write the decimal point as '.'"))
         }
-        None => Err(format!("{what} is '{said}', not a number; correct it")),
+        None => Err(format!("{what} is '{said}', which is not a number; correct it")),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The text of a file or of standard input.
+//! Reads the text of a file or of standard input.
 
 use crate::failure::Failure;
 use std::io::{self, ErrorKind, Read};
@@ -7,8 +7,9 @@ use std::{fs, str};
 
 const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
-/// What messages call the file, and its text, which is UTF-8 with or without a byte order mark; `-` is
-/// standard input.
+/// Returns the name that messages use for a file, and the file's text.
+///
+/// The text is UTF-8 with or without a byte order mark. The path `-` is standard input.
 pub fn read(path: &Path) -> Result<(String, String), Failure> {
     let stdin = path.as_os_str() == "-";
     let file = if stdin { "stdin".into() } else { path.to_string_lossy().into_owned() };
@@ -16,7 +17,7 @@ pub fn read(path: &Path) -> Result<(String, String), Failure> {
     let read = if stdin {
         io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
     } else if path.is_dir() {
-        return Err(Failure::of(file, "is a directory; name the files in it"));
+        return Err(Failure::of(file, "this is a directory; name the files in it"));
     } else {
         fs::read(path)
     };
@@ -24,9 +25,9 @@ pub fn read(path: &Path) -> Result<(String, String), Failure> {
         Ok(bytes) => text(&file, &bytes)?,
         Err(error) => {
             let what = match error.kind() {
-                ErrorKind::NotFound => "no such file; check the name".into(),
-                ErrorKind::PermissionDenied => "may not be read; check its permissions".into(),
-                other => format!("cannot be read ({other}); check the file"),
+                ErrorKind::NotFound => "there is no such file; check the name".into(),
+                ErrorKind::PermissionDenied => "the file may not be read; check its permissions".into(),
+                other => format!("the file cannot be read ({other}); check it"),
             };
             return Err(Failure::of(file, what));
         }
@@ -42,19 +43,23 @@ fn text(file: &str, bytes: &[u8]) -> Result<String, Failure> {
     str::from_utf8(bytes).map(str::to_owned).map_err(|error| {
         let before = &bytes[..error.valid_up_to()];
         let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
-        Failure::at(file, line, "not UTF-8 text; save it as UTF-8 (or is it a binary file?)")
+        Failure::at(
+            file,
+            line,
+            "the file is not text in UTF-8; save it as UTF-8, or name another file if it is binary",
+        )
     })
 }
 
-/// Refuses to read standard input twice.
+/// Returns a failure if more than one input is standard input.
 pub fn check_stdin<'a>(inputs: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
     if inputs.into_iter().filter(|path| path.as_os_str() == "-").count() > 1 {
-        return Err(Failure::of("-", "standard input can be read once; save it to a file first"));
+        return Err(Failure::of("-", "standard input can be read only once; save it to a file first"));
     }
     Ok(())
 }
 
-/// What a file is called without its folder and its ending.
+/// Returns the name of a file without its folder and its extension.
 pub fn stem(path: &Path) -> Option<String> {
     path.file_stem().map(|stem| stem.to_string_lossy().into_owned())
 }

@@ -1,4 +1,4 @@
-//! The command line.
+//! Defines the options of the command `measure` and their help.
 
 use crate::failure::Failure;
 use crate::input::text::check_stdin;
@@ -10,76 +10,79 @@ use std::path::PathBuf;
 
 const INPUT: &str = "\
 Input:
-  Text in UTF-8: the first column is the wavelength in nm, every other column is a spectrum.
-  Cells are separated by commas, semicolons, tabs or blanks; '#' starts a comment line; one
-  heading line may name the columns. Wavelengths must increase. Nothing is sorted, dropped or
-  guessed: what is wrong ends the program with exit code 2 and one line that says where. All
-  input is checked before anything is printed, so there are no half reports.
-  Spectra without a heading are called after their file: FILE, or FILE:1, FILE:2, ..
-  --light takes a name for a CIE illuminant if it is one; write ./A for a file called A.
+  A file is text in UTF-8. Its first column is the wavelength in nm, and every other column is a
+  spectrum. Cells are separated by commas, semicolons, tabs or blanks. A line that starts with '#'
+  is a comment, and one heading line may name the columns. Wavelengths must increase.
+  Nothing is sorted, dropped or guessed. If something is wrong, the program ends with exit code 2
+  and one line that says where it is, what it is and what to do. All input is checked before
+  anything is printed, so that a report is never cut short.
+  Spectra without a heading are named after their file: FILE, or FILE:1, FILE:2 and so on.
+  --light takes the name of a CIE illuminant first; write ./A for a file that is called A.
 
 Conventions:
-  Samples are interpolated to 1 nm and summed over 360..830 nm. Outside its data a light is
-  zero, a reflectance keeps its end values.
-  XYZ: Y = 100 for a relative light and for the perfect white; lx for --unit absolute.
-  CCT, Duv, CRI and all of photometry use the CIE 1931 2 degree observer and TM-30 its own;
-  --observer is for XYZ, chromaticity, dominant wavelength, Lab and sRGB.
-  Dominant wavelength and excitation purity are seen from the equal-energy white for lights,
-  from the light's own white for reflectances; a complementary wavelength is negative.
-  sRGB: of a light its chromaticity at Y = 100; of a reflectance adapted (Bradford) from its light
-  to D65. Both are clipped to the gamut, with a note.
-  --compare gives this minus FILE. y_ratio is of the numbers as read. spectral_rms is the root
-  mean square difference over 360..830 nm; for lights both are brought to the same Y first, and
-  it is a share of FILE's root mean square.";
+  Samples are interpolated to 1 nm and summed over 360..830 nm. Outside its samples a light is
+  zero, and a reflectance has the value of the nearest end.
+  XYZ has Y = 100 for a relative light and for a perfect white surface. With --unit absolute Y is
+  in lx.
+  CCT, Duv, CRI and photometry use the CIE 1931 2 degree observer, and TM-30 uses CIE 1964.
+  --observer changes XYZ, chromaticity, dominant wavelength, Lab and sRGB.
+  Dominant wavelength and excitation purity are measured from the equal-energy white for lights,
+  and from the white of the light for reflectances. A complementary wavelength is negative.
+  The sRGB color of a light is that of its chromaticity at Y = 100. That of a reflectance is
+  adapted from its light to D65 by Bradford's method. Both are clipped to the gamut, with a note.
+  --compare reports each spectrum minus the one in FILE. y_ratio is the ratio of the numbers as
+  read. spectral_rms is the root mean square difference over 360..830 nm. For lights, both are
+  scaled to the same Y first, and the difference is divided by the root mean square of FILE.";
 
-/// Every number that matters about measured spectra: color, color temperature, rendering,
-/// photometry.
+/// Computes color, color temperature, color rendering and photometric quantities of measured
+/// spectra.
 #[derive(Debug, Default, clap::Args)]
 #[command(after_help = INPUT)]
 pub struct Args {
-    /// Spectra to report on; '-' is standard input. Without any: CIE L41, a white LED
+    /// Files with the spectra to measure; '-' is standard input. Without files, the program measures
+    /// CIE L41, a white LED
     #[arg(value_name = "FILES")]
     pub files: Vec<PathBuf>,
 
-    /// Color-matching functions
+    /// The observer, by its color-matching functions
     #[arg(long, value_parser = eye(), default_value = observer::ALL[0].name)]
     pub observer: Eye,
 
-    /// The spectra are reflectances (shares 0..1) of surfaces, not lights
+    /// Take the spectra as reflectances of surfaces (shares of 0..1) instead of lights
     #[arg(long)]
     pub reflectance: bool,
 
-    /// What lights the surfaces: a CIE illuminant (D65, A, FL11, LED-B3, FL3.1, E, ..) or a file
-    /// with one spectrum [default: D65]
+    /// The light on the surfaces: a CIE illuminant (D65, A, FL11, LED-B3, FL3.1, E and so on) or a
+    /// file with one spectrum [default: D65]
     #[arg(long, value_name = "NAME|FILE", requires = "reflectance")]
     pub light: Option<PathBuf>,
 
-    /// What a light's numbers mean: absolute is W/m2/nm, and brings lux and PPFD
+    /// The unit of a light's numbers: absolute is W/m2/nm, which also gives lux and PPFD
     #[arg(long, value_enum, default_value_t)]
     pub unit: Unit,
 
-    /// How to read between the samples
+    /// The rule that interpolates between the samples
     #[arg(long, value_enum, default_value_t)]
     pub interpolation: Between,
 
-    /// Also report the difference to the one spectrum in FILE
+    /// Also report the difference to the spectrum in FILE, which must have only one
     #[arg(long, value_name = "FILE")]
     pub compare: Option<PathBuf>,
 
-    /// Print one JSON object a line, numbers unrounded
+    /// Print one JSON object per line, with numbers that are not rounded
     #[arg(long)]
     pub json: bool,
 
-    /// Also draw each spectrum into DIR (made if missing), as NAME.svg
+    /// Also draw each spectrum to DIR/NAME.svg; DIR is created if it does not exist
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
 }
 
-/// `--observer`: one of [`observer::ALL`].
+/// The value of `--observer`, which is one of [`observer::ALL`].
 #[derive(Clone, Copy, Debug)]
 pub struct Eye(pub &'static NamedObserver);
 
-/// `--unit`
+/// The value of `--unit`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Unit {
     #[default]
@@ -87,7 +90,7 @@ pub enum Unit {
     Absolute,
 }
 
-/// `--interpolation`
+/// The value of `--interpolation`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Between {
     #[default]
@@ -96,7 +99,7 @@ pub enum Between {
 }
 
 impl Args {
-    /// What the command line alone shows to be wrong.
+    /// Returns a failure for what is wrong with the command line alone.
     pub fn check(&self) -> Result<(), Failure> {
         if self.reflectance && self.unit == Unit::Absolute {
             let what = "a reflectance has no unit; leave out --unit or --reflectance";
@@ -112,7 +115,7 @@ impl Default for Eye {
     }
 }
 
-/// Takes the names of the observers, and lists them in the help.
+/// Returns a parser that accepts the names of the observers and lists them in the help.
 fn eye() -> impl TypedValueParser<Value = Eye> {
     let choices = observer::ALL.iter().map(|observer| PossibleValue::new(observer.name).help(observer.title));
     PossibleValuesParser::new(choices).map(|name| observer::named(&name).map_or_else(Eye::default, Eye))

@@ -1,17 +1,19 @@
-//! Reading between samples whose wavelengths f32 cannot hold.
+//! Interpolates between samples whose wavelengths f32 cannot hold.
 //!
-//! The crate takes wavelengths in f32, which are exact for whole, half and quarter nanometers. A pixel at
-//! 546.0761 nm is rounded by up to 3e-5 nm there, and beside a narrow line that is 3e-5 of XYZ; so a file
-//! with such wavelengths is read in f64, by the same two rules.
+//! The crate takes wavelengths in f32, which is exact for whole, half and quarter nanometers. The wavelength
+//! of a pixel at 546.0761 nm is rounded by up to 3e-5 nm, which can change XYZ by 3e-5 beside a narrow line.
+//! A file with such wavelengths is therefore interpolated in f64, by the same two rules.
 
 use nanospectra::Interpolation;
 
-/// Does f32 round one of the wavelengths?
+/// Returns whether f32 would round one of the wavelengths.
 pub fn is_needed(samples: &[(f64, f64)]) -> bool {
     samples.iter().any(|(nm, _)| f64::from(*nm as f32) != *nm)
 }
 
-/// The value at `nm`; `None` outside the samples. (For Sprague's rule they are regular, six or more.)
+/// Returns the value at `nm`, or `None` outside the samples.
+///
+/// For Sprague's rule there must be six or more samples at equal steps.
 pub fn at(samples: &[(f64, f64)], nm: f64, by: Interpolation) -> Option<f64> {
     let (first, last) = (samples.first()?, samples.last()?);
     if !(first.0..=last.0).contains(&nm) {
@@ -30,10 +32,11 @@ pub fn at(samples: &[(f64, f64)], nm: f64, by: Interpolation) -> Option<f64> {
     })
 }
 
-/// CIE 167:2005, between samples `cell` and `cell + 1`.
+/// Interpolates by CIE 167:2005 between the samples `cell` and `cell + 1`.
 fn sprague(samples: &[(f64, f64)], cell: usize, t: f64) -> f64 {
     let n = samples.len();
-    // From two before the cell to two behind it; beyond an end the boundary formula stands in.
+    // The six samples from two before the cell to two behind it. Beyond an end, the boundary formula
+    // provides them.
     let p: [f64; 6] = std::array::from_fn(|j| match (cell + j).checked_sub(2) {
         None => beyond(1 - (cell + j), |k| samples[k].1),
         Some(k) if k >= n => beyond(k - n, |k| samples[n - 1 - k].1),
@@ -47,7 +50,8 @@ fn sprague(samples: &[(f64, f64)], cell: usize, t: f64) -> f64 {
     p[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5))))
 }
 
-/// The sample `steps + 1` steps beyond an end (0 or 1), from the six inside it, nearest first.
+/// Returns the sample that is `steps + 1` (1 or 2) steps beyond an end, from the six inside it, nearest
+/// first.
 fn beyond(steps: usize, inside: impl Fn(usize) -> f64) -> f64 {
     let weights =
         [[508.0, -540.0, 488.0, -367.0, 144.0, -24.0], [884.0, -1960.0, 3033.0, -2648.0, 1080.0, -180.0]];

@@ -1,16 +1,16 @@
-//! The numbers of a reading as labeled lines, for the report and for the picture.
+//! Turns the numbers of a reading into labeled lines for the report and for the picture.
 
 use crate::measure::args::Unit;
 use crate::measure::reading::{Bench, Comparison, Difference, Reading};
 use crate::output::report;
 
-/// A label and what stands beside it.
+/// A label and the text beside it.
 pub struct Fact {
     pub label: String,
     pub value: String,
 }
 
-/// What is known about the color, and about the light if it is one.
+/// Returns the facts about the color, and those about the light if the reading is one of a light.
 pub fn facts(bench: &Bench, reading: &Reading) -> Vec<Fact> {
     let mut facts = Facts(Vec::new());
     facts.color(bench, reading);
@@ -18,7 +18,7 @@ pub fn facts(bench: &Bench, reading: &Reading) -> Vec<Fact> {
     facts.0
 }
 
-/// The differences of a comparison.
+/// Returns the differences of a comparison as facts.
 pub fn differences(comparison: &Comparison) -> Vec<Fact> {
     let mut facts = Facts(Vec::new());
     for (key, difference) in &comparison.differences {
@@ -98,12 +98,12 @@ impl Facts {
     }
 }
 
-/// Six significant digits, which f32 holds.
+/// Formats a number with six significant digits, which f32 holds.
 fn significant(value: f64) -> String {
     report::significant(value, 6)
 }
 
-/// Four digits above 10,000 K, where 0.05 mired is more than 5 K.
+/// Formats a color temperature, with four digits above 10,000 K, where 0.05 mired is more than 5 K.
 fn kelvin(cct_k: f32) -> String {
     let step = 10f32.powi((cct_k.log10().floor() as i32 - 3).max(0));
     format!("{:.0}", (cct_k / step).round() * step)

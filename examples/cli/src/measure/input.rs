@@ -1,4 +1,4 @@
-//! Files, standard input and the lamp that comes with the program.
+//! Reads spectra from files, from standard input or from the lamp that comes with the program.
 
 use crate::failure::Failure;
 use crate::input::{table, text};
@@ -6,29 +6,32 @@ use crate::measure::source::Source;
 use std::path::Path;
 use std::rc::Rc;
 
-/// CIE reference spectrum L41, a measured phosphor-converted white LED; source in its header.
+/// The CIE reference spectrum L41, a measured phosphor-converted white LED, whose header names the source.
 const LAMP: &str = include_str!("../../data/l41_white_led.csv");
 
-/// The lamp that is reported on when no file is given.
+/// Returns the lamp that is measured if no file is given.
 pub fn bundled() -> Result<Vec<Source>, Failure> {
     sources("l41_white_led.csv", "l41_white_led", LAMP)
 }
 
-/// All spectra of a file, or of standard input for `-`.
+/// Returns all spectra of a file, or of standard input for `-`.
 pub fn read(path: &Path) -> Result<Vec<Source>, Failure> {
     let (file, text) = text::read(path)?;
     let stem = text::stem(Path::new(&file)).unwrap_or_else(|| file.clone());
     sources(&file, &stem, &text)
 }
 
-/// The one spectrum of a file; `option` is what asked for it.
+/// Returns the only spectrum of a file, where `option` is the option that names the file.
 pub fn read_one(path: &Path, option: &str) -> Result<Source, Failure> {
     let mut sources = read(path)?;
     match (sources.pop(), sources.len()) {
         (Some(only), 0) => Ok(only),
         (_, more) => Err(Failure::of(
             path.display(),
-            format!("{} spectra where {option} wants one; save that one to a file of its own", more + 1),
+            format!(
+                "the file has {} spectra, but {option} takes one; save that one to a file of its own",
+                more + 1
+            ),
         )),
     }
 }

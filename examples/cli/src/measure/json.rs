@@ -1,11 +1,11 @@
-//! A reading as one JSON object: every number with all the digits it has.
+//! Writes a reading as a JSON object, with all digits of its numbers.
 
 use crate::measure::reading::{Bench, Comparison, Difference, Reading};
 use crate::output::json::{number, single};
 use crate::usage::name_of;
 use serde_json::{Map, Value, json};
 
-/// One line, keys in the order of the documentation.
+/// Returns the object of a reading, with its keys in the order of the documentation.
 pub fn object(bench: &Bench, reading: &Reading) -> Value {
     let mut object = json!({
         "name": reading.name,

@@ -1,4 +1,4 @@
-//! Lights by name or from a file.
+//! Finds lights by name or in a file.
 
 use crate::failure::Failure;
 use crate::input::illuminants;
@@ -7,19 +7,20 @@ use nanospectra::observer::NamedObserver;
 use nanospectra::{Fine, Interpolation, Power, light::NAMES_IN_BRIEF};
 use std::path::Path;
 
-/// The light under which surfaces are seen.
+/// A light under which surfaces are seen.
 pub struct Illuminant {
     pub name: String,
     pub power: Fine<Power>,
 }
 
-/// A CIE illuminant by its name, or else the one light in a file.
+/// Returns the CIE illuminant of this name, or else the only light in the file of this name.
 pub fn find(light: &Path, by: Interpolation, eye: &NamedObserver) -> Result<Illuminant, Failure> {
     if let Some((name, power)) = illuminants::find(&light.to_string_lossy(), by) {
         return Ok(Illuminant { name, power });
     }
     if light.as_os_str() != "-" && !light.exists() {
-        let what = format!("neither a CIE illuminant nor a file; use {NAMES_IN_BRIEF} or a file's name");
+        let what =
+            format!("this is neither a CIE illuminant nor a file; use {NAMES_IN_BRIEF} or a file's name");
         return Err(Failure::of(format_args!("--light {}", light.display()), what));
     }
     let source = input::read_one(light, "--light")?;

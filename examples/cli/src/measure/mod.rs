@@ -1,7 +1,7 @@
-//! From measured spectra to every number that matters about them.
+//! The command `measure`, which computes color, rendering and photometric quantities of measured spectra.
 //!
-//! A file becomes a [`table`](crate::input::table), its columns [`source`]s, each of them a [`reading`], and
-//! that a report: [`text`], [`json`] or a [`picture`].
+//! A file is parsed to a [`table`](crate::input::table), whose columns are [`source`]s. Each of them gives a
+//! [`reading`], which is reported as [`text`], as [`json`] or as a [`picture`].
 
 mod args;
 mod exact;
@@ -21,11 +21,11 @@ use crate::output::{Progress, terminal};
 use reading::Bench;
 use std::path::PathBuf;
 
-/// Reports on the files, or on the bundled lamp.
+/// Reports on the files, or on the bundled lamp if there are none.
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     if args.reflectance && args.files.is_empty() {
-        let what = "the bundled spectrum is a lamp; give FILES with reflectances";
+        let what = "the spectrum that comes with the program is a lamp; name FILES with reflectances";
         return Err(Failure::of("--reflectance", what));
     }
     let bench = Bench::new(args)?;
@@ -35,7 +35,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         sources.extend(input::read(path)?);
     }
 
-    // All are measured before any is reported: an error leaves no half report behind.
+    // Measure all spectra before reporting any, so that an error leaves no half report behind.
     let mut progress = Progress::of(sources.len());
     let mut readings = Vec::with_capacity(sources.len());
     for source in &sources {

@@ -1,4 +1,4 @@
-//! One measured spectrum: samples with the lines they came from, on their way to the 1 nm grid.
+//! Brings a measured spectrum, given by samples with their lines in a file, to the 1 nm grid.
 
 use crate::failure::Failure;
 use crate::measure::exact;
@@ -6,78 +6,83 @@ use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
 use std::rc::Rc;
 
-/// The CIE grid, in nm.
+/// The ends of the CIE grid, in nm.
 const FIRST: f64 = 360.0;
 const LAST: f64 = 830.0;
-/// Data that ends within these is cut short; what lies beyond hardly shows.
+/// The visible range, in nm. Data that ends within it gets a note; power beyond it hardly shows.
 const VISIBLE_FROM: f64 = 380.0;
 const VISIBLE_TO: f64 = 780.0;
-/// A reflectance above this is a percentage or not a reflectance. (Fluorescent and glossy
-/// surfaces do go above 1.)
+/// The value above which a number is a percentage or not a reflectance at all. (Fluorescent and glossy
+/// surfaces do exceed 1.)
 const MOST_REFLECTANCE: f64 = 2.0;
-/// CIE 15 asks for 5 nm or less; from here on it is worth a word.
+/// The step, in nm, above which a note is given. CIE 15 asks for 5 nm or less.
 const COARSE_NM: f64 = 20.0;
 
-/// A column of a file.
+/// A spectrum as it was read from a column of a file.
 #[derive(Debug)]
 pub struct Source {
     pub file: String,
     pub name: String,
-    /// The line of each sample.
+    /// The line of each sample, counted from 1.
     pub lines: Rc<[usize]>,
-    /// (wavelength in nm, value): finite, increasing, at least two.
+    /// The pairs (wavelength in nm, value): at least two, finite, with increasing wavelengths.
     pub samples: Vec<(f64, f64)>,
 }
 
-/// A light on the CIE grid: the numbers of the file are `power` times `scale`.
+/// A light on the CIE grid, where the numbers of the file are `power` times `scale`.
 #[derive(Debug)]
 pub struct Lamp {
-    /// Brought near 1 by a power of two, so that f32 holds lights of any strength.
+    /// The power, scaled to near 1 by a power of two, so that f32 holds lights of any strength.
     pub power: Fine<Power>,
     pub scale: f64,
 }
 
 impl Source {
-    /// As a light: zero outside its data.
+    /// Returns the spectrum as a light, which is zero outside its samples.
     pub fn light(&self, by: Interpolation) -> Result<Lamp, Failure> {
         self.check_reach()?;
         let peak = self.samples.iter().map(|sample| sample.1.abs()).fold(0.0, f64::max);
         if peak == 0.0 {
             return Err(self.wrong("every value is zero; measure again with the lamp on"));
         }
-        // Rounding to f32 is the same before and after a power of two. (Twice: 2^1074 overflows.)
+        // A power of two does not change how values are rounded to f32. It is applied in two steps, since
+        // 2^1074 would overflow.
         let half = (peak.log2() / 2.0).floor() as i32;
         let (up, scale) = (f64::powi(2.0, -half), f64::powi(2.0, 2 * half));
         let power = self.fine(by, |value| value * up * up)?;
         if power.values().iter().all(|value| *value == 0.0) {
             return Err(self.wrong(
-                "no power at any whole nanometer of 360..830, nothing visible; give a spectrum that has",
+                "there is no power at any whole nanometer of 360..830, so nothing is visible; \
+                 give a spectrum that has some",
             ));
         }
         Ok(Lamp { power, scale })
     }
 
-    /// As a reflectance: end values held outside its data.
+    /// Returns the spectrum as a reflectance, which keeps its end values outside its samples.
     pub fn reflectance(&self, by: Interpolation) -> Result<Fine<Factor>, Failure> {
         self.check_reach()?;
         for ((_, value), line) in self.samples.iter().zip(&*self.lines) {
             if *value > MOST_REFLECTANCE {
                 let name = &self.name;
-                let what =
-                    format!("'{name}' is {value}, no reflectance; give shares 0..1, not percent or power");
+                let what = format!(
+                    "'{name}' is {value}, which is not a reflectance; give shares of 0..1, not percent or power"
+                );
                 return Err(Failure::at(&self.file, *line, what));
             }
         }
         self.fine(by, |value| value)
     }
 
-    /// The failure of a light that `eye` does not see.
+    /// Returns the failure of a light that `eye` does not see.
     pub fn invisible(&self, eye: &NamedObserver) -> Failure {
         let eye = eye.title;
-        self.wrong(&format!("nothing visible, Y is not above zero for {eye}; check range and dark reading"))
+        self.wrong(&format!(
+            "nothing is visible, since Y is not above zero for {eye}; check the range and the dark reading"
+        ))
     }
 
-    /// A failure of the spectrum as a whole, at its first row.
+    /// Returns a failure of the spectrum as a whole, at its first row.
     pub fn wrong(&self, what: &str) -> Failure {
         Failure::at(&self.file, self.lines[0], format!("'{}': {what}", self.name))
     }
@@ -88,14 +93,14 @@ impl Source {
         let at = |index: usize, what| Failure::at(&self.file, self.lines[index], what);
         let mut fine = Fine::interpolated(&samples, by).map_err(|error| match error {
             SamplesError::NotRegular { index } => {
-                at(index, "off the regular step that sprague needs; use --interpolation linear")
+                at(index, "this row is off the regular step that sprague needs; use --interpolation linear")
             }
             SamplesError::TooFew { needed } => {
-                self.wrong(&format!("fewer than {needed} samples; use --interpolation linear"))
+                self.wrong(&format!("there are fewer than {needed} samples; use --interpolation linear"))
             }
-            // Distinct in f64, that is: a file may list wavelengths closer than f32 tells apart.
+            // These are distinct in f64: a file may list wavelengths closer than f32 can tell apart.
             SamplesError::NotIncreasing { index } => {
-                at(index, "less than 0.0001 nm above the row before; merge them")
+                at(index, "this row is less than 0.0001 nm above the one before; merge the two")
             }
             other => self.wrong(&format!("{other}; correct the file")),
         })?;
@@ -118,7 +123,7 @@ impl Source {
         (self.samples[0].0, self.samples[self.samples.len() - 1].0)
     }
 
-    /// Data that lies beside the visible range, often because it is in another unit.
+    /// Checks that the samples reach into the visible range, which those in another unit often do not.
     fn check_reach(&self) -> Result<(), Failure> {
         let (first, last) = self.ends();
         if first <= LAST && last >= FIRST {
@@ -127,30 +132,31 @@ impl Source {
         let units = [("micrometers", 1e3), ("ångströms", 0.1), ("meters", 1e9)];
         let unit = units.into_iter().find(|(_, nm)| first * nm <= LAST && last * nm >= FIRST);
         let advice = match unit {
-            Some((unit, nm)) => format!("if these are {unit}, multiply by {nm}"),
-            None => "give a spectrum that reaches into it".into(),
+            Some((unit, nm)) => format!("if the wavelengths are in {unit}, multiply them by {nm}"),
+            None => "give a spectrum that reaches into this range".into(),
         };
-        Err(self.wrong(&format!("{first}..{last} nm is outside 360..830 nm, nothing visible; {advice}")))
+        Err(self
+            .wrong(&format!("{first}..{last} nm is outside 360..830 nm, so nothing is visible; {advice}")))
     }
 
-    /// What a reader should know about how the samples were used.
+    /// Returns notes on how the samples were used.
     pub fn remarks<Q: Quantity>(&self, by: Interpolation) -> Vec<String> {
         let mut remarks = Vec::new();
         let (first, last) = self.ends();
         if first > VISIBLE_FROM || last < VISIBLE_TO {
             let fate = match Q::OUTSIDE {
                 Outside::Zero => "counts as zero",
-                Outside::Hold => "is taken to be as at the ends",
+                Outside::Hold => "has the value of the nearest end",
             };
             remarks.push(format!("the samples cover {first}..{last} nm; what is outside {fate}"));
         }
         let inside = self.samples.iter().filter(|(nm, _)| (FIRST..=LAST).contains(nm)).count();
-        // (Sprague's rule reads six samples for each nanometer, so it reads nearly all of them.)
+        // Sprague's rule reads six samples for each nanometer, and so nearly all of them.
         let unread = self.between_nodes();
         if unread > 0 && by == Interpolation::Linear {
             remarks.push(format!(
-                "finer than 1 nm: the sum reads whole nanometers, so {unread} of {inside} samples \
-                 do not count and narrow lines between are missed"
+                "the steps are finer than 1 nm, but the sum reads whole nanometers: {unread} of {inside} samples \
+                 do not count, and narrow lines between whole nanometers are missed"
             ));
         }
         let beyond = self.samples.len() - inside;
@@ -159,17 +165,20 @@ impl Source {
         }
         let negative = self.samples.iter().filter(|(_, value)| *value < 0.0).count();
         if negative > 0 {
-            remarks.push(format!("{negative} negative values, taken as they are"));
+            remarks.push(format!("{negative} negative values are used as they are"));
         }
         let widest = self.samples.windows(2).map(|pair| pair[1].0 - pair[0].0).fold(0.0, f64::max);
         if widest > COARSE_NM {
-            remarks.push(format!("steps of up to {widest} nm; what lies between the samples is unknown"));
+            remarks.push(format!(
+                "the steps are up to {widest} nm wide; what lies between the samples is unknown"
+            ));
         }
         remarks
     }
 
-    /// Samples that no whole nanometer of the grid reads: it reads one it meets, or its two
-    /// neighbors.
+    /// Returns the number of samples that no whole nanometer of the grid reads.
+    ///
+    /// A whole nanometer reads the sample that lies on it, or else its two neighbors.
     fn between_nodes(&self) -> usize {
         let samples = &self.samples;
         let unread = |k: usize| {

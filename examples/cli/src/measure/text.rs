@@ -1,4 +1,4 @@
-//! A reading for people.
+//! Writes a reading as a report for people.
 
 use crate::failure::printable;
 use crate::measure::args::Unit;
@@ -10,7 +10,7 @@ use std::path::Path;
 
 const WIDTH: usize = 92;
 
-/// The report; with escapes for color if `truecolor`.
+/// Returns the report of a reading, with terminal escapes for colors if `truecolor`.
 pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(22, truecolor);
     report.line(title(bench, reading));
@@ -46,7 +46,7 @@ fn rows(report: &mut Report, facts: &[Fact]) {
     facts.iter().for_each(|fact| report.row(&fact.label, &fact.value));
 }
 
-/// Notes with the same text together, broken at words.
+/// Writes the notes, where those with the same text share a line, and breaks lines at words.
 fn notes(report: &mut Report, notes: &[Note]) {
     let mut grouped: Vec<(String, &str)> = Vec::new();
     for note in notes {

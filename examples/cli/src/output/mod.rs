@@ -1,4 +1,4 @@
-//! Printing what was found: for people as text, for programs as JSON.
+//! Prints results, as text for people and as JSON for programs.
 
 pub(crate) mod json;
 pub(crate) mod plot;

@@ -1,17 +1,18 @@
-//! A spectrum drawn with block characters.
+//! Draws a spectrum with block characters.
 
 use super::tint;
 use nanospectra::{Bins, Fine, Light, Power};
 
 const ROWS: usize = 8;
-/// From empty to full.
+/// The blocks, from empty to full.
 pub const BLOCKS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 
-/// Columns over 380..780 nm, 6.25 nm each.
+/// The columns of the plot, each 6.25 nm wide, over 380..780 nm.
 type Columns = Light<64, Bins<380, 780>>;
 
-/// The plot's lines, top to bottom, without line ends; in the colors of the wavelengths if
-/// `truecolor`.
+/// Returns the lines of the plot from top to bottom, without line ends.
+///
+/// With `truecolor` they are in the colors of the wavelengths.
 pub fn lines(curve: &Fine<Power>, truecolor: bool) -> Vec<String> {
     let columns: Columns = curve.resample();
     let top = columns.values().iter().copied().fold(0.0, f32::max);
@@ -35,7 +36,7 @@ fn paint(block: char, [r, g, b]: [u8; 3]) -> String {
     format!("\x1b[38;2;{r};{g};{b}m{block}")
 }
 
-/// 380 to 780 nm under the columns, a number each 50 nm.
+/// Returns the scale under the columns, with a number every 50 nm.
 fn scale() -> String {
     let mut scale = String::new();
     for nm in (400..=750).step_by(50) {

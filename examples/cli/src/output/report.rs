@@ -1,4 +1,4 @@
-//! A report for people in the making: rows of a label and a value, plots, patches of color.
+//! Builds a report for people from rows of a label and a value, plots and patches of color.
 
 use super::{plot, tint};
 use nanospectra::{Fine, Power};
@@ -6,13 +6,13 @@ use std::fmt::Display;
 
 pub struct Report {
     text: String,
-    /// Where the values stand.
+    /// The column in which the values begin.
     indent: usize,
     truecolor: bool,
 }
 
 impl Report {
-    /// An empty one; with escapes for color if `truecolor`.
+    /// Returns an empty report, with terminal escapes for colors if `truecolor`.
     pub fn new(indent: usize, truecolor: bool) -> Self {
         Report { text: String::new(), indent, truecolor }
     }
@@ -26,7 +26,7 @@ impl Report {
         self.line(format_args!("  {label:<indent$}{value}"));
     }
 
-    /// A spectrum and an empty line.
+    /// Adds the plot of a spectrum and an empty line.
     pub fn plot(&mut self, curve: &Fine<Power>) {
         for line in plot::lines(curve, self.truecolor) {
             self.line(format_args!("  {line}"));
@@ -34,12 +34,12 @@ impl Report {
         self.line("");
     }
 
-    /// Blanks on a background, if there is color.
+    /// Returns blanks on a background of this color, or nothing without `truecolor`.
     pub fn patch(&self, [r, g, b]: [u8; 3], width: usize) -> String {
         if self.truecolor { format!("\x1b[48;2;{r};{g};{b}m{:width$}\x1b[0m", "") } else { String::new() }
     }
 
-    /// The code of a color behind a patch of it.
+    /// Returns the code of a color after a patch of it.
     pub fn swatch(&self, color: [u8; 3], width: usize) -> String {
         self.patch(color, width) + &tint::hex(color)
     }
@@ -49,7 +49,7 @@ impl Report {
     }
 }
 
-/// So many significant digits; plain where that is readable.
+/// Formats a value with this many significant digits, without an exponent where that is readable.
 pub fn significant(value: f64, digits: usize) -> String {
     let size = value.abs();
     if size == 0.0 {

@@ -1,34 +1,34 @@
-//! A diagram's frame: lines and numbers on a linear scale.
+//! Draws the frame of a diagram, with grid lines and numbers on linear scales.
 
 use super::{Area, FAINT, GRID, INK, label};
 use svg::node::element::{Group, Line, Rectangle};
 
-/// A linear scale, from data to the page.
+/// A linear scale from the data to the page.
 #[derive(Clone, Copy)]
 pub struct Axis {
     pub from: f32,
     pub to: f32,
-    /// Numbers stand at the multiples of this.
+    /// The step between the numbers, which stand at its multiples.
     pub step: f32,
 }
 
 impl Axis {
-    /// A scale that holds `low..=high` and ends on ticks of 1, 2 or 5 times a power of ten.
+    /// Returns a scale that contains `low..=high` and ends on ticks of 1, 2 or 5 times a power of ten.
     pub fn holding(low: f32, high: f32) -> Self {
         let rough = (high - low) / 5.0;
         let power = 10f32.powf(rough.log10().floor());
         let step =
             [1.0, 2.0, 5.0].into_iter().map(|k| k * power).find(|s| *s >= rough).unwrap_or(10.0 * power);
-        // The slack keeps rounding from adding an empty step.
+        // The tolerance keeps rounding from adding an empty step.
         let (from, to) = ((low / step + 1e-4).floor(), (high / step - 1e-4).ceil());
         Axis { from: from * step, to: to * step, step }
     }
 
-    /// The ticks, each with its number as text.
+    /// Returns the ticks, each with its number as text.
     fn ticks(self) -> Vec<(f32, String)> {
         let decimals = (-self.step.log10().floor()).max(0.0) as usize;
         let plain = self.to.abs() < 1e5 && decimals <= 4;
-        // The slack is for ends that are ticks but for rounding.
+        // The tolerance is for ends that are ticks except for rounding.
         let (first, last) = ((self.from / self.step - 1e-4).ceil(), (self.to / self.step + 1e-4).floor());
         let ticks = (first as i32..=last as i32).map(|k| k as f32 * self.step);
         ticks
@@ -41,7 +41,7 @@ impl Axis {
     }
 }
 
-/// A frame with an axis below and one at the left.
+/// A frame with an axis below and an axis at the left.
 #[derive(Clone, Copy)]
 pub struct Frame {
     pub area: Area,
@@ -50,13 +50,13 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A point of the data on the page.
+    /// Returns the place on the page of a point of the data.
     pub fn place(&self, x: f32, y: f32) -> (f32, f32) {
         let Area { left, top, width, height } = self.area;
         (left + width * self.x.share(x), top + height * (1.0 - self.y.share(y)))
     }
 
-    /// Grid lines, numbers and titles; what is drawn later lies on top.
+    /// Draws grid lines, numbers and titles. What is drawn later lies on top of them.
     pub fn draw(&self, x_title: &str, y_title: &str) -> Group {
         let Area { left, top, width, height } = self.area;
         let (right, bottom) = (left + width, top + height);
@@ -80,7 +80,7 @@ impl Frame {
             .add(label(left - 52.0, middle, y_title).set("text-anchor", "middle").set("transform", upright))
     }
 
-    /// The border, to be drawn last.
+    /// Draws the border, which comes last.
     pub fn border(&self) -> Rectangle {
         self.area.rectangle().set("fill", "none").set("stroke", INK)
     }

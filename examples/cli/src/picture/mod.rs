@@ -1,4 +1,4 @@
-//! What the pictures of all commands are drawn with: a page, its texts and patches, diagrams and spectra.
+//! Draws the parts that the pictures of all commands share: pages, texts, patches, diagrams and spectra.
 
 pub mod axis;
 pub mod spectrum;
@@ -16,7 +16,7 @@ pub const INK: &str = "#222222";
 pub const FAINT: &str = "#777777";
 pub const GRID: &str = "#dddddd";
 
-/// Where a diagram stands on the page.
+/// The place of a diagram on the page.
 #[derive(Clone, Copy)]
 pub struct Area {
     pub left: f32,
@@ -25,7 +25,7 @@ pub struct Area {
     pub height: f32,
 }
 
-/// An empty page with a heading.
+/// Returns an empty page with a heading.
 pub fn page(height: f32, title: &str, subtitle: &str) -> Document {
     let heading = Group::new()
         .add(label(30.0, 42.0, title).set("font-size", 24).set("font-weight", "bold"))
@@ -41,12 +41,12 @@ pub fn page(height: f32, title: &str, subtitle: &str) -> Document {
 }
 
 pub fn label(x: f32, y: f32, text: &str) -> Text {
-    // SVG takes a run of blanks for one.
+    // SVG shows several blanks as one.
     let text = text.replace("  ", "\u{a0}\u{a0}");
     Text::new(text).set("x", x).set("y", y).set("fill", INK)
 }
 
-/// A rectangle of a color.
+/// Returns a rectangle that is filled with a color.
 pub fn patch(area: Area, color: [u8; 3]) -> Rectangle {
     area.rectangle().set("fill", tint::hex(color)).set("stroke", GRID)
 }
@@ -61,24 +61,26 @@ impl Area {
     }
 }
 
-/// The failure of a picture that cannot be written; `place` is what to name in its stead.
+/// Returns the failure of a picture that cannot be written, where `place` is what the user should name
+/// instead.
 pub fn refused(path: &Path, error: &Error, place: &str) -> Failure {
-    let what = format!("cannot be written ({}); name a {place} you may write to", error.kind());
+    let what =
+        format!("the picture cannot be written ({}); name a {place} that you may write to", error.kind());
     Failure::of(format_args!("--svg {}", path.display()), what)
 }
 
-/// Refuses to draw over a file; `other` is what to do in its stead.
+/// Returns a failure if a file exists already, where `other` is what the user can do instead.
 pub fn check_free(path: &Path, other: &str) -> Result<(), Failure> {
     if path.symlink_metadata().is_err() {
         return Ok(());
     }
     Err(Failure::of(
         format_args!("--svg {}", path.display()),
-        format_args!("is there already; remove it or {other}"),
+        format_args!("the file exists already; remove it or {other}"),
     ))
 }
 
-/// Makes a file that was not there.
+/// Creates a file that must not exist yet.
 pub fn create(path: &Path, place: &str) -> Result<File, Failure> {
     File::create_new(path).map_err(|error| refused(path, &error, place))
 }

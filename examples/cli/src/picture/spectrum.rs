@@ -1,4 +1,4 @@
-//! A spectrum as a diagram, filled with the colors of its wavelengths.
+//! Draws a spectrum as a diagram that is filled with the colors of its wavelengths.
 
 use super::axis::{Axis, Frame};
 use super::{Area, FAINT, INK};
@@ -6,16 +6,16 @@ use crate::output::tint;
 use svg::node::element::path::Data;
 use svg::node::element::{Definitions, Group, LinearGradient, Path, Stop};
 
-/// Color changes every so many nm.
+/// The step, in nm, at which the color changes.
 const COLOR_STEP: usize = 4;
 
-/// What is drawn, each as (nm, value).
+/// The curves to draw, as pairs of a wavelength in nm and a value.
 #[derive(Default)]
 pub struct Spectrum<'a> {
     pub filled: &'a [(f32, f32)],
-    /// A line beside it, or nothing.
+    /// A dashed line besides, which may be empty.
     pub dashed: &'a [(f32, f32)],
-    /// What the axes hold at least.
+    /// The lowest value that the axis contains.
     pub low: f32,
     pub high: f32,
 }
@@ -46,7 +46,7 @@ pub fn draw(area: Area, titles: [&str; 2], spectrum: &Spectrum) -> Group {
     group.add(frame.border())
 }
 
-/// Left to right the colors of the wavelengths.
+/// Returns the gradient of the wavelengths' colors, from left to right.
 fn rainbow(frame: &Frame) -> LinearGradient {
     let (from, to) = (frame.x.from, frame.x.to);
     let gradient = gradient("rainbow", (frame.place(from, 0.0).0, 0.0), (frame.place(to, 0.0).0, 0.0));
@@ -56,7 +56,7 @@ fn rainbow(frame: &Frame) -> LinearGradient {
     })
 }
 
-/// A gradient from one point of the page to another.
+/// Returns a gradient from one point of the page to another.
 pub fn gradient(id: &str, from: (f32, f32), to: (f32, f32)) -> LinearGradient {
     LinearGradient::new()
         .set("id", id)

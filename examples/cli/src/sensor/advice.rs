@@ -1,4 +1,4 @@
-//! Which gain and time to take next.
+//! Chooses the gain and the time of the next reading.
 
 use crate::sensor::chip::Chip;
 use nanospectra::sensor::{AutoExposure, Exposure};
@@ -7,14 +7,14 @@ use nanospectra::sensor::{AutoExposure, Exposure};
 pub struct Next {
     pub settings: String,
     pub exposure: Exposure,
-    /// It is the one in use.
+    /// Whether it is the exposure in use.
     pub same: bool,
 }
 
-/// Two exposures closer than this count as one.
+/// The relative difference in sensitivity below which two exposures count as one.
 const ALIKE: f32 = 1e-3;
 
-/// From the chip's own exposures and the one in use; `None` where there is no choice.
+/// Chooses among the chip's own exposures and the one in use. Returns `None` if there is no choice.
 pub fn of<const C: usize>(chip: Chip, used: Exposure, settings: &[f64], counts: &[f32; C]) -> Option<Next> {
     let sensitivity = |exposure: &Exposure| exposure.gain() * exposure.time_ms();
     let mut ladder = vec![(used, settings.to_vec())];

@@ -1,4 +1,4 @@
-//! The command line.
+//! Defines the options of the command `sensor` and their help.
 
 use crate::failure::Failure;
 use crate::input::text::check_stdin;
@@ -9,31 +9,39 @@ use std::path::PathBuf;
 
 const INPUT: &str = "\
 The log:
-  CSV in UTF-8 with a heading: one row a reading, raw counts. '#' starts a comment line. Columns in any order:
+  A log is CSV in UTF-8. It has a heading, and then a row of raw counts for each reading. A line that starts with '#'
+  is a comment. The columns may be in any order. Each chip has its own:
 CHIPS
     custom         gain, time_ms, full_scale; every other column is a channel
-  gain is the factor (0.5, 1, 2, ..), not the register's code. Also known: time (seconds, for flicker), label
-  (readings in a row with the same label are one run), temperature_c (passed on), dark_NAME for each channel: its count in
-  the dark at the same exposure. Other columns are not used, and named in a note.
-  Nothing is dropped or guessed: what is wrong ends the program with exit code 2 and one line that says where.
+  gain is the factor (0.5, 1, 2 and so on), not the code in the register. These columns may be added:
+    time           in seconds, for flicker
+    label          names a reading; readings in a row with the same label are one run
+    temperature_c  is passed on to the JSON
+    dark_NAME      for each channel NAME, its count in the dark at the same exposure
+  Other columns are not used, and a note names them.
+  Nothing is dropped or guessed. If something is wrong, the program ends with exit code 2 and one line that says where
+  it is, what it is and what to do.
 
 What is known of the chip:
-  Without more the nominal peaks and widths of the data sheet: good for a first look, marked NOMINAL. No unit comes
-  from them: lux and PPFD stay empty, and Y is on a scale of its own.
-  --responsivity FILE: a heading nm, NAME, ..; then rows of a wavelength and the responsivity of each channel, at any
-  step. With --unit absolute they are basic counts (counts per ms at gain 1) for each W/m2, and lux and PPFD follow.
-  --calibration FILE: either three rows X, Y, Z (heading row, NAME, ..) that basic counts are multiplied by, or
-  patches (heading NAME, .., X, Y, Z): rows of basic counts and the XYZ that they should come to, fitted with errors
-  relative to Y. Y is in lux unless --unit relative says otherwise.
-  Chips whose maker publishes a matrix are measured by that.
+  Without these options, the program uses the nominal peaks and widths of the data sheet and marks the result NOMINAL.
+  That is good for a first look, but it gives no unit: lux and PPFD are empty, and Y is on a scale of its own.
+  --responsivity FILE has a heading (nm and the names of the channels) and then rows of a wavelength and the
+  responsivity of each channel, at any step. With --unit absolute, responsivities are basic counts (counts per ms at
+  gain 1) for each W/m2, and the program computes lux and PPFD.
+  --calibration FILE is one of two tables:
+    a matrix       the rows X, Y and Z, by which basic counts are multiplied (heading: row and the channels)
+    patches        rows of basic counts and of the XYZ that they should give (heading: the channels, X, Y, Z); the
+                   program fits a matrix to them, with errors relative to Y
+  With a calibration, Y is in lux unless --unit relative is given.
+  If the maker of a chip publishes a matrix, the program uses that.
 
 Conventions:
-  CIE 1931 2 degree observer. Uncertainties are standard ones (k = 1) and of noise alone: without --electrons-per-count
-  and --read-counts of the rounding to whole counts alone.
-  Basic counts to light: the smoothest spectrum that explains them, in bins of 10 nm; only where a channel sees.
-  'next' is the exposure for the next reading of the same light.";
+  Colors are those of the CIE 1931 2 degree observer. Uncertainties are standard uncertainties (k = 1) that include
+  noise alone. Without --electrons-per-count and --read-counts they include only the rounding to whole counts.
+  The spectrum is the smoothest one that explains the basic counts, in bins of 10 nm, where a channel is sensitive.
+  The column 'next' is the exposure for the next reading of the same light.";
 
-/// [`INPUT`] with a line for each chip that the library knows.
+/// Returns [`INPUT`] with a line for each chip that the library knows.
 fn help() -> String {
     let line = |chip: &'static nanospectra::sensor::chip::Chip| {
         let settings = Chip(Some(chip)).settings().join(", ");
@@ -44,60 +52,64 @@ fn help() -> String {
     INPUT.replace("CHIPS\n", &ALL.into_iter().map(line).collect::<String>())
 }
 
-/// Color, illuminance, spectrum, uncertainty and flicker from a log of a color sensor's counts.
+/// Computes color, illuminance, spectrum, uncertainty and flicker from a log of a color sensor's
+/// counts.
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub struct Args {
-    /// The log of counts; '-' is standard input. Without one: simulated readings of known lamps by an AS7341
+    /// The log of counts; '-' is standard input. Without one, the program reads a simulated log of an
+    /// AS7341 under known lamps
     #[arg(value_name = "LOG")]
     pub log: Option<PathBuf>,
 
-    /// The chip
+    /// The chip that made the log
     #[arg(long, value_enum, default_value = "as7341")]
     pub sensor: Chip,
 
-    /// Responsivities of its channels, in place of the nominal ones
+    /// A table with the responsivities of the channels, to use in place of the nominal ones
     #[arg(long, value_name = "FILE")]
     pub responsivity: Option<PathBuf>,
 
-    /// A matrix to XYZ, or patches to make one from
+    /// A table with a matrix to XYZ, or with measured patches to fit one to
     #[arg(long, value_name = "FILE")]
     pub calibration: Option<PathBuf>,
 
-    /// Counts in the dark: a log without time; one row for all exposures, or rows with their exposures
+    /// A log of counts in the dark, with one row for all exposures or with a row for each
     #[arg(long, value_name = "FILE")]
     pub dark: Option<PathBuf>,
 
-    /// Whether responsivities or calibration are absolute [default: a calibration is, responsivities are not]
+    /// The unit of the calibration or of the responsivities [default: absolute for a calibration,
+    /// relative for responsivities]
     #[arg(long, value_enum)]
     pub unit: Option<Unit>,
 
-    /// Shot noise: electrons for one count at unit gain
+    /// The electrons for one count at a gain of 1, from which shot noise follows
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub electrons_per_count: Option<f32>,
 
-    /// Read noise: counts, rms, besides the rounding
+    /// The read noise besides the rounding, as root mean square in counts
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub read_counts: Option<f32>,
 
-    /// A reading is too dark when its channels together are fewer counts above their dark levels
+    /// The sum of all channels, in counts above dark, below which a reading is too dark
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 10.0)]
     pub floor: f32,
 
-    /// Frequencies at which to look for flicker
+    /// The frequencies at which to look for flicker
     #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_delimiter = ',', default_values = ["100", "120"])]
     pub flicker_hz: Vec<f32>,
 
-    /// Print JSON, one object a line: each reading, then each run of readings; numbers unrounded
+    /// Print one JSON object per line, for each reading and then for each run, with numbers that are
+    /// not rounded
     #[arg(long)]
     pub json: bool,
 
-    /// Print the simulated log itself
+    /// Print the simulated log instead of reading it
     #[arg(long, conflicts_with_all = ["log", "json"])]
     pub simulate: bool,
 }
 
-/// `--unit`
+/// The value of `--unit`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Unit {
     Relative,
@@ -105,22 +117,24 @@ pub enum Unit {
 }
 
 impl Args {
-    /// What the command line alone shows to be wrong.
+    /// Returns a failure for what is wrong with the command line alone.
     pub fn check(&self) -> Result<(), Failure> {
         let inputs = [&self.log, &self.responsivity, &self.calibration, &self.dark];
         check_stdin(inputs.into_iter().flatten())?;
         if self.log.is_none() && self.sensor.title() != as7341::CHIP.name {
-            return Err(Failure::of("--sensor", "the simulated log is of an AS7341; give the LOG of yours"));
+            return Err(Failure::of(
+                "--sensor",
+                "the simulated log is one of an AS7341; give the LOG of your sensor",
+            ));
         }
         if self.responsivity.is_some() && self.calibration.is_some() && self.unit.is_some() {
-            let what =
-                "with a calibration the responsivities only shape the spectrum; leave out one of the three";
+            let what = "with --calibration, --responsivity only shapes the spectrum; leave out one of the three options";
             return Err(Failure::of("--unit", what));
         }
         let positive = |option: &str, value: Option<f32>, zero_too: bool| match value {
             Some(value) if !(value > 0.0 && value.is_finite() || zero_too && value == 0.0) => {
-                let so = if zero_too { "0 or more" } else { "one above 0" };
-                Err(Failure::of(option, format_args!("{value} is no such number; give {so}")))
+                let so = if zero_too { "a number of 0 or more" } else { "a number above 0" };
+                Err(Failure::of(option, format_args!("{value} is not allowed; give {so}")))
             }
             _ => Ok(()),
         };

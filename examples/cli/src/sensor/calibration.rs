@@ -1,4 +1,4 @@
-//! A matrix to XYZ from a file: as it stands, or fitted to patches.
+//! Reads a matrix to XYZ from a file, or fits one to patches in a file.
 
 use crate::failure::Failure;
 use crate::sensor::cells::{self, Table};
@@ -8,7 +8,7 @@ use std::path::Path;
 
 const XYZ: [&str; 3] = ["x", "y", "z"];
 
-/// A matrix and what is to be said about it.
+/// A matrix and the line of the report about it.
 pub struct Found<const C: usize> {
     pub matrix: Calibration<C>,
     pub said: String,
@@ -20,25 +20,25 @@ pub fn read<const C: usize>(path: &Path, channels: &[String]) -> Result<Found<C>
     let places: [usize; C] = table
         .places(&names)?
         .try_into()
-        .map_err(|_| table.wrong("another number of channels; check --sensor"))?;
+        .map_err(|_| table.wrong("the table has another number of channels; check --sensor"))?;
     match XYZ.map(|name| table.place(name)) {
         [Some(x), Some(y), Some(z)] => patches(&table, places, [x, y, z]),
         _ => matrix(&table, places),
     }
 }
 
-/// Rows X, Y and Z.
+/// Reads the matrix from the rows X, Y and Z.
 fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>, Failure> {
     let shape = "give three rows X, Y, Z (heading: row and the channels), or patches with columns X, Y, Z";
     let Some(name) = table.place("row") else {
-        return Err(table.wrong(format_args!("neither a matrix nor patches; {shape}")));
+        return Err(table.wrong(format_args!("this is neither a matrix nor patches; {shape}")));
     };
     let mut rows = [[0.0; C]; 3];
     for (row, wanted) in rows.iter_mut().zip(XYZ) {
         let mut found = table.rows.iter().filter(|row| row.cells[name].eq_ignore_ascii_case(wanted));
         let (Some(cells), None) = (found.next(), found.next()) else {
             let wanted = wanted.to_uppercase();
-            return Err(table.wrong(format_args!("not one row {wanted}; {shape}")));
+            return Err(table.wrong(format_args!("there is not exactly one row {wanted}; {shape}")));
         };
         for (value, place) in row.iter_mut().zip(places) {
             *value = table.number(cells, place)? as f32;
@@ -46,12 +46,12 @@ fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>,
     }
     if let Some(extra) = table.rows.iter().find(|row| !XYZ.contains(&row.cells[name].to_lowercase().as_str()))
     {
-        return Err(table.wrong_at(extra, format_args!("a row that is none of X, Y, Z; {shape}")));
+        return Err(table.wrong_at(extra, format_args!("this row is none of X, Y, Z; {shape}")));
     }
     Ok(Found { matrix: Calibration::from_rows(rows), said: format!("matrix of {}", table.file) })
 }
 
-/// Basic counts and what they should come to.
+/// Fits the matrix to rows of basic counts and of the XYZ that they should give.
 fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -> Result<Found<C>, Failure> {
     let mut fit = Fit::<C>::new();
     let mut all = Vec::new();
@@ -71,12 +71,13 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
         fit.add_relative(&basic, Xyz::from(target));
         all.push((basic, target));
     }
-    let wrong = |error| Failure::of(&table.file, format_args!("cannot be fitted; {error}"));
+    let wrong = |error| Failure::of(&table.file, format_args!("no matrix can be fitted; {error}"));
     let matrix = fit.solve().map_err(wrong)?;
     let percent = |share: f32| 100.0 * share;
     let [x, y, z] = fit.residual_rms().map(percent);
     let mut said = format!(
-        "matrix fitted to {} patches of {}: errors relative to Y, rms, X {x:.2} % Y {y:.2} % Z {z:.2} %",
+        "matrix fitted to {} patches of {}; root mean square errors relative to Y: \
+         X {x:.2} % Y {y:.2} % Z {z:.2} %",
         all.len(),
         table.file
     );
@@ -91,10 +92,10 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
     said += &match unseen {
         Ok(()) => {
             let [x, y, z] = sums.map(|sum: f32| percent((sum / all.len() as f32).sqrt()));
-            format!("; on patches left out X {x:.2} % Y {y:.2} % Z {z:.2} %")
+            format!("; on patches that were left out of the fit: X {x:.2} % Y {y:.2} % Z {z:.2} %")
         }
-        Err(error) => format!("; the error on patches left out cannot be told: {error}"),
+        Err(error) => format!("; the error on patches that are left out is unknown: {error}"),
     };
-    said += &format!("; condition {:.0}", fit.condition().map_err(wrong)?);
+    said += &format!("; condition number {:.0}", fit.condition().map_err(wrong)?);
     Ok(Found { matrix, said })
 }

@@ -1,38 +1,40 @@
-//! CSV with a heading, strictly: cells with the line they came from.
+//! Reads CSV with a heading into cells that know their lines.
+//!
+//! Parsing is strict: whatever is not clearly such a table is an error.
 
 use crate::failure::{Failure, short};
 use crate::input::{lines, text};
 use std::fmt::Display;
 use std::path::Path;
 
-/// A table of text.
+/// A table of texts.
 pub struct Table {
-    /// Its name, for messages.
+    /// The name of the file, for messages.
     pub file: String,
-    /// The line of the heading.
+    /// The line of the heading, counted from 1.
     pub line: usize,
-    /// Trimmed, in lower case.
+    /// The names of the columns, in lower case and without blanks around them.
     pub heading: Vec<String>,
     pub rows: Vec<Row>,
 }
 
 pub struct Row {
     pub line: usize,
-    /// As many as the heading has.
+    /// The cells, as many as the heading has.
     pub cells: Vec<String>,
 }
 
-/// A table from a file, or from standard input for `-`.
+/// Reads a table from a file, or from standard input for `-`.
 pub fn read(path: &Path) -> Result<Table, Failure> {
     let (file, text) = text::read(path)?;
     parse(&file, &text)
 }
 
-/// The table in a text; `file` is its name for messages.
+/// Parses the table in a text, where `file` is the name of the text in messages.
 pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
     let mut rows_of_text = lines::rows(text);
     let Some((heading, line)) = rows_of_text.next() else {
-        return Err(Failure::at(file, 1, "nothing in it; give a heading and rows of numbers"));
+        return Err(Failure::at(file, 1, "there is nothing in the file; give a heading and rows of numbers"));
     };
     let mark = [';', '\t', ','].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
     let at = |line: usize| move |what: String| Failure::at(file, line, what);
@@ -52,13 +54,13 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
         if cells.len() != heading.len() {
             let (found, wanted) = (cells.len(), heading.len());
             return Err(at(line)(format!(
-                "{found} cells where the heading has {wanted}; complete or correct the row"
+                "the row has {found} cells, but the heading has {wanted}; complete or correct the row"
             )));
         }
         rows.push(Row { line, cells });
     }
     if rows.is_empty() {
-        return Err(at(line)("only a heading; add rows of numbers".into()));
+        return Err(at(line)("there is only a heading; add rows of numbers".into()));
     }
     Ok(Table { file: file.to_owned(), line, heading, rows })
 }
@@ -69,33 +71,33 @@ fn cells(line: &str, mark: char) -> Result<Vec<String>, String> {
 }
 
 impl Table {
-    /// A failure of the table as a whole, at its heading.
+    /// Returns a failure of the table as a whole, at its heading.
     pub fn wrong(&self, what: impl Display) -> Failure {
         Failure::at(&self.file, self.line, what)
     }
 
-    /// A failure at a row.
+    /// Returns a failure at a row.
     pub fn wrong_at(&self, row: &Row, what: impl Display) -> Failure {
         Failure::at(&self.file, row.line, what)
     }
 
-    /// The place of a column.
+    /// Returns the place of a column, if there is one of this name.
     pub fn place(&self, name: &str) -> Option<usize> {
         self.heading.iter().position(|column| column == name)
     }
 
-    /// The places of columns that must be there.
+    /// Returns the places of columns, all of which must be there.
     pub fn places(&self, names: &[&str]) -> Result<Vec<usize>, Failure> {
         let wanted = |name: &&str| {
             self.place(name).ok_or_else(|| {
                 let all = names.join(", ");
-                self.wrong(format_args!("no column '{name}'; name the columns {all}"))
+                self.wrong(format_args!("there is no column '{name}'; name the columns {all}"))
             })
         };
         names.iter().map(wanted).collect()
     }
 
-    /// A finite number.
+    /// Returns the finite number in a cell.
     pub fn number(&self, row: &Row, place: usize) -> Result<f64, Failure> {
         let (cell, name) = (&row.cells[place], &self.heading[place]);
         let wrong = |what: String| self.wrong_at(row, what);
@@ -106,12 +108,13 @@ impl Table {
         match cell.parse::<f64>() {
             Ok(number) if number.is_finite() && (number as f32).is_finite() => Ok(number),
             Ok(_) => {
-                Err(wrong(format!("'{name}' is {said}, not a finite number; correct it, or remove the row")))
+                let what = "which is not a finite number; correct it, or remove the row";
+                Err(wrong(format!("'{name}' is {said}, {what}")))
             }
             Err(_) if cell.replacen(',', ".", 1).parse::<f64>().is_ok() => {
                 Err(wrong(format!("'{name}' is '{said}'; write the decimal point as '.'")))
             }
-            Err(_) => Err(wrong(format!("'{name}' is '{said}', not a number; correct it"))),
+            Err(_) => Err(wrong(format!("'{name}' is '{said}', which is not a number; correct it"))),
         }
     }
 }

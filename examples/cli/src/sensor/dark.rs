@@ -1,11 +1,11 @@
-//! What is taken off the counts.
+//! Finds the dark counts that are subtracted from a reading.
 
 use crate::failure::Failure;
 use crate::sensor::args::Args;
 use crate::sensor::log::{self, Entry, Log};
 use nanospectra::sensor::Exposure;
 
-/// Dark levels of the log itself or of a file.
+/// The dark levels that are known from the log itself or from a file.
 pub struct Frames {
     file: String,
     frames: Vec<Frame>,
@@ -18,7 +18,7 @@ struct Frame {
     sums: Vec<f64>,
 }
 
-/// A dark level of each channel, in counts, and from how many readings it is.
+/// The dark level of each channel, in counts, and the number of readings that it is the mean of.
 pub struct Level {
     pub counts: Vec<f32>,
     pub readings: u16,
@@ -31,7 +31,10 @@ impl Frames {
             return Ok(Frames { file: log.file.clone(), frames });
         };
         if log.entries.iter().any(|entry| entry.dark.is_some()) {
-            return Err(Failure::of("--dark", "the log has dark_ columns too; leave out one of the two"));
+            return Err(Failure::of(
+                "--dark",
+                "the log has dark_ columns too; leave out the option or the columns",
+            ));
         }
         let dark = log::read_dark(path, args.sensor, &log.channels)?;
         for entry in dark.entries {
@@ -47,7 +50,7 @@ impl Frames {
         Ok(Frames { file: dark.file, frames })
     }
 
-    /// The dark level of an entry, if any is known.
+    /// Returns the dark level of an entry, if one is known.
     pub fn of(&self, entry: &Entry) -> Result<Option<Level>, Failure> {
         if let Some(counts) = &entry.dark {
             return level(&self.file, entry, counts.iter().copied(), 1);
@@ -57,14 +60,14 @@ impl Frames {
         }
         let fits = |frame: &&Frame| frame.exposure.is_none() || frame.exposure == entry.exposure;
         let Some(frame) = self.frames.iter().find(fits) else {
-            let what = format!("no dark reading with the exposure of line {} of the log", entry.line);
-            return Err(Failure::of(&self.file, what + "; add one, its shutter closed"));
+            let what = format!("no dark reading has the exposure of line {} of the log", entry.line);
+            return Err(Failure::of(&self.file, what + "; add one, measured with the shutter closed"));
         };
         level(&self.file, entry, frame.sums.iter().map(|sum| sum / f64::from(frame.readings)), frame.readings)
     }
 }
 
-/// A level that leaves room for light.
+/// Returns the level, or a failure if it leaves no room for light.
 fn level(
     file: &str,
     entry: &Entry,
@@ -76,7 +79,7 @@ fn level(
     if let Some(k) = counts.iter().position(|count| *count >= full_scale) {
         let (channel, count, line) = (k + 1, counts[k], entry.line);
         let what =
-            format!("channel {channel} counts {count} in the dark, which is full scale at line {line}");
+            format!("channel {channel} counts {count} in the dark, which is the full scale of line {line}");
         return Err(Failure::of(file, what + " of the log; measure the dark again"));
     }
     Ok(Some(Level { counts, readings }))

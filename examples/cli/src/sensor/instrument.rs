@@ -1,4 +1,4 @@
-//! What is known of the chip, as matrices.
+//! Turns what is known of the chip into matrices.
 
 use crate::failure::Failure;
 use crate::sensor::args::{Args, Unit};
@@ -10,30 +10,30 @@ use nanospectra::sensor::{Calibration, DEFAULT_ALPHA, Noise, Reconstruction};
 use nanospectra::{Curve, Observer, Power};
 use std::sync::LazyLock;
 
-/// How alike neighboring bins of 10 nm are expected to be.
+/// The correlation that is expected between neighboring bins of 10 nm.
 const CORRELATION: f32 = 0.95;
-/// A bin is reported if a channel sees it at this share of its peak.
+/// The share of a channel's peak that a bin must reach to be reported.
 const SEEN: f32 = 0.01;
 
 static EYE: LazyLock<Observer<3, BINS, Power, Grid>> = LazyLock::new(|| CIE_1931.fold(Curve::Step));
 
-/// What does not depend on the number of channels.
+/// The part of an instrument that does not depend on the number of channels.
 pub struct Setup {
     pub chip: Chip,
     pub channels: Vec<String>,
     pub noise: Noise,
-    /// Whether something is known of the noise besides the rounding.
+    /// Whether the noise is known, apart from the rounding to whole counts.
     pub noise_is_known: bool,
-    /// Counts above dark that a reading must have.
+    /// The counts above dark that a reading must have.
     pub floor: f32,
-    /// The channels' weights on the bins.
+    /// The weights of the channels on the bins.
     pub weights: Option<Vec<[f32; BINS]>>,
     pub source: Source,
-    /// Y is in lux.
+    /// Whether Y is in lux.
     pub absolute: bool,
 }
 
-/// Where responsivities come from.
+/// The source of the responsivities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     Nominal,
@@ -62,7 +62,7 @@ impl Setup {
         let published = chip.0.and_then(|chip| chip.to_xyz);
         if source == Source::Unknown && args.calibration.is_none() && published.is_none() {
             let what = format!(
-                "nothing is known of the channels of a {} that would give color; \
+                "the channels of a {} are not known well enough to compute colors; \
                  give --calibration with measured patches, or --responsivity",
                 chip.title()
             );
@@ -70,14 +70,15 @@ impl Setup {
         }
         let told = args.calibration.is_some() || args.responsivity.is_some();
         if args.unit.is_some() && !told {
-            let what = "says what --responsivity or --calibration mean; give one of them, or leave it out";
+            let what =
+                "this is the unit of --responsivity or --calibration; give one of them, or leave it out";
             return Err(Failure::of("--unit", what));
         }
         let absolute = match args.unit {
             Some(unit) => unit == Unit::Absolute,
             None => args.calibration.is_some(),
         };
-        // The simulated log says how it was made.
+        // The noise of the simulated log is known.
         let known = args.log.is_none().then_some(crate::sensor::simulate::NOISE);
         let noise_is_known =
             known.is_some() || args.electrons_per_count.is_some() || args.read_counts.is_some();
@@ -92,17 +93,17 @@ impl Setup {
     }
 }
 
-/// From basic counts to what is asked for.
+/// The matrices from basic counts to every result.
 pub struct Instrument<const C: usize> {
     pub to_xyz: Calibration<C>,
-    /// Where lux is not Y.
+    /// The matrix to lux, if lux is not Y.
     pub to_lux: Option<Calibration<C, 1>>,
     pub spectrum: Option<Reconstruction<C, BINS, Grid>>,
-    /// XYZ of that spectrum.
+    /// The matrix to XYZ of that spectrum.
     pub of_spectrum: Option<Calibration<C>>,
-    /// Bins that a channel sees.
+    /// Whether a channel is sensitive in each bin.
     pub seen: [bool; BINS],
-    /// How the colors come about, for the report.
+    /// Lines that say how the colors are computed, for the report.
     pub colors: Vec<String>,
 }
 
@@ -114,15 +115,15 @@ impl<const C: usize> Instrument<C> {
         let spectrum = weights
             .map(|rows| Reconstruction::smooth(&Observer::from_weights(rows), CORRELATION, DEFAULT_ALPHA))
             .transpose()
-            .map_err(|error| Failure::of(place, format_args!("no spectrum from these; {error}")))?;
+            .map_err(|error| Failure::of(place, format_args!("no spectrum can be reconstructed; {error}")))?;
         let of_spectrum = spectrum.map(|spectrum| spectrum.seen_by(&EYE).scaled(KM));
         let mut colors = Vec::new();
         match setup.source {
             Source::Nominal => colors.push(format!(
-                "spectrum: NOMINAL responsivities of the {}, Gaussians of the data sheet, not this chip's own",
+                "spectrum: by NOMINAL responsivities of the {} (Gaussians of the data sheet, not measured)",
                 setup.chip.title()
             )),
-            Source::File => colors.push("spectrum: responsivities of a file".into()),
+            Source::File => colors.push("spectrum: by the responsivities of a file".into()),
             Source::Unknown => {}
         }
         let mut to_lux = None;
@@ -133,15 +134,15 @@ impl<const C: usize> Instrument<C> {
                 found.matrix
             }
             (None, Some(matrix)) => {
-                colors.push("XYZ: of the spectrum".into());
-                // On the scale of the basic counts, unless these are of W/m2.
+                colors.push("XYZ: from the spectrum".into());
+                // XYZ is on the scale of the basic counts, unless these count W/m2.
                 if setup.absolute { matrix } else { matrix.scaled(1.0 / KM) }
             }
             (None, None) => {
                 let chip = setup.chip.0;
                 to_lux = chip.and_then(|chip| chip.to_lux).map(|row| Calibration::from_rows([wide(row)]));
-                let lux = if to_lux.is_some() { ", and its lux" } else { "" };
-                colors.push(format!("XYZ: the published matrix of the {}{lux}", setup.chip.title()));
+                let lux = if to_lux.is_some() { "XYZ and lux" } else { "XYZ" };
+                colors.push(format!("{lux}: by the published matrix of the {}", setup.chip.title()));
                 Calibration::from_rows(chip.and_then(|chip| chip.to_xyz).unwrap_or_default().map(wide))
             }
         };
@@ -154,7 +155,7 @@ impl<const C: usize> Instrument<C> {
     }
 }
 
-/// A row for as many channels as there are, which are `C`.
+/// Converts a row to an array of the length `C`, the number of channels.
 fn wide<const C: usize>(row: &[f32]) -> [f32; C] {
     std::array::from_fn(|channel| row.get(channel).copied().unwrap_or(0.0))
 }

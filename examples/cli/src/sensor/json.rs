@@ -1,4 +1,4 @@
-//! Readings and runs as JSON, one object a line: every number with all the digits it has.
+//! Writes readings and runs as JSON, one object per line, with all digits of their numbers.
 
 use crate::output::json::single;
 use crate::sensor::Report;
@@ -8,7 +8,7 @@ use crate::sensor::runs::Run;
 use nanospectra::color::Cct;
 use serde_json::{Value, json};
 
-/// All of them, in input order, runs after the readings.
+/// Returns the objects of all readings, in the order of the log, and then those of the runs.
 pub fn lines(report: &Report) -> String {
     let readings = report.readings.iter().map(|reading| object(report, reading));
     let runs = report.runs.iter().map(run);
@@ -82,13 +82,13 @@ fn color(color: &Color) -> Value {
     })
 }
 
-/// The same keys of a reading without a color.
+/// Returns the same keys as [`color`], without values, for a reading without a color.
 fn nothing() -> Value {
     let keys = "unit XYZ xy lux cct_k duv cct ppfd wavelengths_nm spectrum uncertainty".split(' ');
     Value::Object(keys.map(|key| (key.to_owned(), Value::Null)).collect())
 }
 
-/// Where a chromaticity lies beside the Planckian locus.
+/// Returns where a chromaticity lies beside the Planckian locus, in words.
 pub fn place(cct: Cct) -> &'static str {
     match cct {
         Cct::Near { .. } => "near",
@@ -99,22 +99,23 @@ pub fn place(cct: Cct) -> &'static str {
     }
 }
 
-/// What is to be said of a reading, that of all readings first.
+/// Returns the notes on a reading, where those on all readings come first.
 fn notes(report: &Report, reading: &Reading) -> Vec<String> {
     let own = general(&report.setup, reading).into_iter().chain(reading.notes.iter().cloned());
     report.colors.iter().cloned().chain(own.map(|(key, text)| format!("{key}: {text}"))).collect()
 }
 
-/// What is true of every reading with this setup.
+/// Returns the notes that apply to every reading with this setup.
 pub fn general(setup: &Setup, reading: &Reading) -> Vec<(&'static str, String)> {
     let mut notes = Vec::new();
     let Some(color) = &reading.color else { return notes };
     if color.lux.is_none() && !setup.absolute {
-        let what = "nothing absolute is known of this sensor: Y is relative; give --calibration in lux";
+        let what = "no absolute scale is known for this sensor, so Y is relative; give --calibration in lux";
         notes.push(("lux", what.to_owned()));
     }
     if !setup.noise_is_known {
-        let what = "of the rounding to whole counts alone; give --electrons-per-count and --read-counts";
+        let what =
+            "it includes only the rounding to whole counts; give --electrons-per-count and --read-counts";
         notes.push(("uncertainty", what.to_owned()));
     }
     notes
@@ -145,7 +146,7 @@ fn run(run: &Run) -> Value {
     })
 }
 
-/// The share of a flicker that the reading still shows; a chip without settings does not tell its time.
+/// Returns the share of a flicker that the reading still shows, if the chip's settings tell its time.
 fn shown(setup: &Setup, reading: &Reading, hz: f32) -> Value {
     if setup.chip.settings().is_empty() {
         Value::Null
@@ -154,7 +155,7 @@ fn shown(setup: &Setup, reading: &Reading, hz: f32) -> Value {
     }
 }
 
-/// Whole counts as such.
+/// Returns the counts of the channels, where whole counts are written as whole numbers.
 fn raw(setup: &Setup, counts: &[f64]) -> Value {
     let count = |count: &f64| {
         if count.fract() == 0.0 && *count < 4e9 { Value::from(*count as u32) } else { Value::from(*count) }

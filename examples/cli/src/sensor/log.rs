@@ -1,4 +1,4 @@
-//! A log of counts.
+//! Reads a log of counts.
 
 use crate::failure::Failure;
 use crate::sensor::args::Args;
@@ -7,34 +7,34 @@ use crate::sensor::chip::Chip;
 use nanospectra::sensor::Exposure;
 use std::path::Path;
 
-/// Simulated readings of known lamps; how, stands in its header.
+/// Simulated readings of known lamps. The header says how they were made.
 const KNOWN_LAMPS: &str = include_str!("../../data/known_lamps.csv");
 
 pub struct Log {
     pub file: String,
-    /// Names of the channels, in the order of the counts.
+    /// The names of the channels, in the order of the counts.
     pub channels: Vec<String>,
     pub entries: Vec<Entry>,
 }
 
-/// One reading as the chip gave it.
+/// One reading as the chip reported it.
 pub struct Entry {
     pub line: usize,
-    /// As it stands there, and in seconds if it is a number.
+    /// The time as it stands in the log, and in seconds if it is a number.
     pub time: Option<(String, Option<f64>)>,
     pub label: Option<String>,
     pub temperature_c: Option<f32>,
     pub settings: Vec<f64>,
-    /// `None` only in a dark log without exposures.
+    /// The exposure, which is `None` only in a dark log without exposures.
     pub exposure: Option<Exposure>,
     pub counts: Vec<f64>,
-    /// Of `dark_*` columns.
+    /// The counts of the `dark_*` columns.
     pub dark: Option<Vec<f64>>,
-    /// Columns that were not used, once for all entries.
+    /// The names of the columns that are not used, which are the same for all entries.
     pub unused: Vec<String>,
 }
 
-/// The log that was asked for.
+/// Reads the log that the options name, or the bundled one.
 pub fn read(args: &Args) -> Result<Log, Failure> {
     let table = match &args.log {
         Some(path) => cells::read(path)?,
@@ -43,13 +43,14 @@ pub fn read(args: &Args) -> Result<Log, Failure> {
     of(&table, args.sensor, channels(&table, args.sensor)?, true)
 }
 
-/// A log of the dark: with the same channels, and perhaps without exposures.
+/// Reads a log of the dark, which has the same channels and perhaps no exposures.
 pub fn read_dark(path: &Path, chip: Chip, channels: &[String]) -> Result<Log, Failure> {
     let table = cells::read(path)?;
     of(&table, chip, channels.to_vec(), chip.settings().iter().any(|name| table.place(name).is_some()))
 }
 
-/// The channels: of a custom sensor every column that is nothing else.
+/// Returns the channels, which are those of the chip, or all columns of a custom sensor that are nothing
+/// else.
 fn channels(table: &Table, chip: Chip) -> Result<Vec<String>, Failure> {
     if chip.0.is_some() {
         return Ok(chip.channels().iter().map(|name| (*name).to_owned()).collect());
@@ -62,7 +63,7 @@ fn channels(table: &Table, chip: Chip) -> Result<Vec<String>, Failure> {
     };
     let channels: Vec<String> = table.heading.iter().filter(is_channel).cloned().collect();
     if channels.is_empty() {
-        return Err(table.wrong("no channel; add a column of counts for each"));
+        return Err(table.wrong("there is no channel; add a column of counts for each"));
     }
     Ok(channels)
 }
@@ -129,13 +130,15 @@ fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec
         let (count, name) = (table.number(row, *place)?, &table.heading[*place]);
         let wrong = |what: &str| table.wrong_at(row, format!("'{name}' is {count}, {what}"));
         if count < 0.0 {
-            return Err(wrong("no count; give raw counts, and what they are in the dark as dark_ columns"));
+            return Err(wrong(
+                "which is not a count; give raw counts, and those in the dark in dark_ columns",
+            ));
         }
         if chip.counts_are_whole() && count.fract() != 0.0 {
-            return Err(wrong("no whole count; give raw counts, not basic or scaled ones"));
+            return Err(wrong("which is not a whole count; give raw counts, not basic or scaled ones"));
         }
         if count > chip.largest_count() {
-            return Err(wrong("more than the chip can count; correct it, or remove the row"));
+            return Err(wrong("which is more than the chip can count; correct it, or remove the row"));
         }
         Ok(count)
     };

@@ -1,4 +1,4 @@
-//! One reading, measured.
+//! Computes the results of one reading.
 
 use crate::failure::Failure;
 use crate::sensor::advice::{self, Next};
@@ -10,27 +10,27 @@ use nanospectra::radiometry::ppfd;
 use nanospectra::sensor::{BasicCounts, CctUncertainty, Exposure, ReadingError, Variances};
 use nanospectra::{Fine, Light};
 
-/// Everything that is known of a reading.
+/// The results of one reading.
 pub struct Reading {
-    /// As it was read.
+    /// The entry of the log.
     pub entry: Entry,
     pub settings: String,
     pub exposure: Exposure,
     pub status: Status,
     pub basic: Option<Vec<f32>>,
     pub color: Option<Color>,
-    /// Lux, or Y: for flicker, so of dark readings too, but not of saturated ones.
+    /// Lux or Y, from which flicker is computed. Dark readings have it too, but saturated ones do not.
     pub brightness: Option<f32>,
     pub next: Option<Next>,
-    /// (what it is about, what is to be said)
+    /// Notes, as pairs of what they are about and their texts.
     pub notes: Vec<(&'static str, String)>,
 }
 
-/// Whether a reading says something.
+/// Whether a reading can be used, and why not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Status {
     Ok,
-    /// The names of the channels.
+    /// At least one channel is saturated. Holds the names of those channels.
     Saturated(Vec<String>),
     TooDark,
     Negative,
@@ -47,7 +47,7 @@ impl Status {
     }
 }
 
-/// A color with what chance may have done to it.
+/// A color with its uncertainties.
 pub struct Color {
     pub xyz: Xyz,
     pub xyz_uncertainty: Xyz,
@@ -59,7 +59,7 @@ pub struct Color {
     /// Whether XYZ has Y in lux.
     pub absolute: bool,
     pub ppfd: Option<f32>,
-    /// (nm, power per nm): W/m2/nm if lux is known.
+    /// Pairs of a wavelength in nm and the power per nm, in W/m2/nm if lux is known.
     pub spectrum: Option<Vec<(f32, f32)>>,
 }
 
@@ -69,7 +69,12 @@ pub fn reading<const C: usize>(
     dark: &Frames,
     entry: Entry,
 ) -> Result<Reading, Failure> {
-    let lost = || Failure::of("log", "an entry without exposure or with other channels; report this");
+    let lost = || {
+        Failure::of(
+            "log",
+            "an entry has no exposure or other channels, which is an error in this program; report it",
+        )
+    };
     let exposure = entry.exposure.ok_or_else(lost)?.with_floor(setup.floor);
     let counts: [f64; C] = entry.counts.as_slice().try_into().map_err(|_| lost())?;
     let counts = counts.map(|count| count as f32);
@@ -91,7 +96,7 @@ pub fn reading<const C: usize>(
     };
     let mut notes = Vec::new();
     if !entry.unused.is_empty() {
-        notes.push(("log", format!("columns not used: {}", entry.unused.join(", "))));
+        notes.push(("log", format!("these columns are not used: {}", entry.unused.join(", "))));
     }
     let status = match outcome {
         Ok(_) => Status::Ok,
@@ -116,12 +121,12 @@ pub fn reading<const C: usize>(
         reading.basic = Some(basic.values().to_vec());
         if instrument.to_xyz.xyz(&basic).is_err() {
             reading.status = Status::Negative;
-            let what = "the sums are negative: a light unlike those of the calibration, or noise";
+            let what = "X, Y or Z is negative, because the light is unlike those of the calibration or because of noise";
             reading.notes.push(("status", what.into()));
         }
         let color = color(instrument, setup, &basic, &variances, reading.status == Status::Ok);
         if color.spectrum.is_none() && instrument.spectrum.is_some() {
-            let what = "the eye sees too little of it to tell its power from the lux";
+            let what = "too little of it is visible to compute its power from the lux";
             reading.notes.push(("spectrum", what.into()));
         }
         reading.color = Some(color);
@@ -129,7 +134,7 @@ pub fn reading<const C: usize>(
     Ok(reading)
 }
 
-/// The sums; what is meant to be a color only if it `is_one`.
+/// Computes the color. Only XYZ is filled in unless the sums are those of a real color (`is_one`).
 fn color<const C: usize>(
     instrument: &Instrument<C>,
     setup: &Setup,
@@ -150,7 +155,7 @@ fn color<const C: usize>(
         if !lux_is_known {
             return Some(light);
         }
-        // So that its illuminance is that of the calibration; if the eye sees enough of it to tell.
+        // Scale the spectrum to the illuminance of the calibration, if enough of it is visible.
         let [_, own, _] = instrument.of_spectrum?.rows().map(|row| sum_and_size(&row, basic));
         (own.0 > 0.02 * own.1).then(|| Light::from_bins(light.values().map(|value| value * (lux / own.0))))
     });
@@ -173,7 +178,7 @@ fn color<const C: usize>(
     }
 }
 
-/// What a row comes to, and the sizes of its terms.
+/// Returns the sum of a row times the basic counts, and the sum of the absolute values of the terms.
 fn sum_and_size<const C: usize>(row: &[f32; C], basic: &BasicCounts<C>) -> (f32, f32) {
     row.iter().zip(basic.values()).fold((0.0, 0.0), |(sum, size), (w, x)| (sum + w * x, size + (w * x).abs()))
 }

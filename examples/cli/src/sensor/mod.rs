@@ -1,7 +1,8 @@
-//! From a log of a color sensor's counts to every number that can be had from them.
+//! The command `sensor`, which computes color, illuminance and flicker from a log of a color sensor's counts.
 //!
-//! A file becomes [`cells`], these the entries of a [`log`], each of them a [`measure`]d reading by an
-//! [`instrument`], and that [`text`] or [`json`]. Without a log it reads one that was [`simulate`]d.
+//! A file is split into [`cells`], which are read as the entries of a [`log`]. An [`instrument`] [`measure`]s
+//! each of them, and the readings are reported as [`text`] or as [`json`]. Without a log, the command reads
+//! one that was [`simulate`]d.
 
 mod advice;
 mod args;
@@ -27,16 +28,16 @@ use log::Log;
 use measure::Reading;
 use runs::Run;
 
-/// What is printed: made in full before the first line, so that an error leaves no half report.
+/// The whole report, which is complete before its first line is printed, so that no error leaves half of it.
 pub struct Report {
     pub setup: Setup,
-    /// What was made of responsivities or of a calibration.
+    /// Lines that say how the colors were computed from responsivities or a calibration.
     pub colors: Vec<String>,
     pub readings: Vec<Reading>,
     pub runs: Vec<Run>,
 }
 
-/// Reports on the log, or on the bundled one.
+/// Reports on the log, or on the bundled one if none is named.
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     if args.simulate {
@@ -48,7 +49,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     terminal::print(&if args.json { json::lines(&report) } else { text::report(&report) })
 }
 
-/// The number of channels is a type: one of these.
+/// Makes the report. The number of channels is part of a type, and so must be one of these.
 fn report(args: &Args, setup: Setup, log: Log) -> Result<Report, Failure> {
     macro_rules! with_channels {
         ($($count:literal)*) => {
@@ -56,7 +57,7 @@ fn report(args: &Args, setup: Setup, log: Log) -> Result<Report, Failure> {
                 $($count => with_channels_of::<$count>(args, setup, log),)*
                 other => Err(Failure::of(
                     "--sensor custom",
-                    format_args!("{other} channels; give a log of 1 to 18, leave out the others"),
+                    format_args!("the log has {other} channels; leave out columns until there are 1 to 18"),
                 )),
             }
         };

@@ -1,4 +1,4 @@
-//! Measured responsivities from a file.
+//! Reads measured responsivities from a file.
 
 use crate::failure::Failure;
 use crate::sensor::cells;
@@ -6,14 +6,13 @@ use crate::sensor::chip::{BINS, Grid};
 use nanospectra::{Light, SamplesError};
 use std::path::Path;
 
-/// The weights of each channel on the bins: averages of the curves over them, times their width.
+/// Returns the weights of each channel on the bins, which are the means of its curve times their width.
 pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failure> {
     let table = cells::read(path)?;
     let names: Vec<&str> = channels.iter().map(String::as_str).collect();
-    let nm = table
-        .place("nm")
-        .or_else(|| table.place("wavelength_nm"))
-        .ok_or_else(|| table.wrong("no column 'nm'; begin the heading with it, wavelengths in nm"))?;
+    let nm = table.place("nm").or_else(|| table.place("wavelength_nm")).ok_or_else(|| {
+        table.wrong("there is no column 'nm'; begin the heading with it, and give wavelengths in nm")
+    })?;
     let places = table.places(&names)?;
     let row = |place: usize| {
         let samples = table
@@ -22,7 +21,10 @@ pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failur
             .map(|row| match (table.number(row, nm)? as f32, table.number(row, place)? as f32) {
                 (_, value) if value < 0.0 => Err(table.wrong_at(
                     row,
-                    format!("'{}' is {value}, no responsivity; give 0 or more", table.heading[place]),
+                    format!(
+                        "'{}' is {value}, which is not a responsivity; give 0 or more",
+                        table.heading[place]
+                    ),
                 )),
                 sample => Ok(sample),
             })
@@ -30,16 +32,18 @@ pub fn read(path: &Path, channels: &[String]) -> Result<Vec<[f32; BINS]>, Failur
         let curve = Light::<BINS, Grid>::from_samples(&samples).map_err(|error| {
             let line = |index: usize| table.rows.get(index).map_or(table.line, |row| row.line);
             match error {
-                SamplesError::TooFew { .. } => table.wrong("one wavelength is no curve; add rows"),
-                SamplesError::NotIncreasing { index } => {
-                    Failure::at(&table.file, line(index), "nm is not above the row before; sort the rows")
-                }
+                SamplesError::TooFew { .. } => table.wrong("one wavelength is not a curve; add rows"),
+                SamplesError::NotIncreasing { index } => Failure::at(
+                    &table.file,
+                    line(index),
+                    "nm is not above that of the row before; sort the rows",
+                ),
                 other => table.wrong(format_args!("{other}; correct it")),
             }
         })?;
         if curve.iter().all(|(_, value)| value <= 0.0) {
             return Err(table.wrong(format!(
-                "'{}' sees nothing between 300 and 1000 nm; are the wavelengths in nm?",
+                "'{}' sees nothing between 300 and 1000 nm; check that the wavelengths are in nm",
                 table.heading[place]
             )));
         }

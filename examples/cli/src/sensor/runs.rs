@@ -1,27 +1,29 @@
-//! Readings in a row: their mean, and how much the light flickers.
+//! Groups readings in a row into runs, and computes how much the light flickers in each.
 
 use crate::sensor::measure::Reading;
 use nanospectra::sensor::{Exposure, Flicker, amplitude_at};
 
-/// Steps of time may differ by this share.
+/// The share by which steps of time may differ.
 const STEADY: f64 = 0.02;
 
-/// Two or more readings in a row with the same label (of a log without labels all of them), at known times.
+/// Two or more readings in a row with the same label, at known times.
+///
+/// All readings of a log without labels are one run.
 pub struct Run {
     pub label: Option<String>,
     pub lines: (usize, usize),
     pub readings: usize,
-    /// Readings a second, or why that cannot be said.
+    /// The readings per second, or why that is unknown.
     pub rate_hz: Result<f32, String>,
     pub flicker: Vec<At>,
 }
 
-/// What is found at one frequency.
+/// The flicker at one frequency.
 pub struct At {
     pub frequency_hz: f32,
-    /// The flicker and the amplitude at this frequency over the mean, or why there is none.
+    /// The flicker and its amplitude at this frequency over the mean, or why they are unknown.
     pub found: Result<(Flicker, f32), String>,
-    /// Another frequency that the run is too short to tell from this one.
+    /// Another frequency, if the run is too short to distinguish it from this one.
     pub confused_with_hz: Option<f32>,
     /// The share of the flicker that readings of this length still show.
     pub shown: f32,
@@ -46,7 +48,7 @@ pub fn of(readings: &[Reading], frequencies_hz: &[f32]) -> Vec<Run> {
     .collect()
 }
 
-/// Readings a second, if they come at equal steps.
+/// Returns the readings per second, if they come at equal steps.
 fn rate(run: &[Reading]) -> Result<f32, String> {
     let seconds = |reading: &Reading| reading.entry.time.as_ref().and_then(|(_, seconds)| *seconds);
     let times: Option<Vec<f64>> = run.iter().map(seconds).collect();

@@ -1,26 +1,27 @@
-//! The simulated log: an AS7341 that is exactly nominal in front of lamps that are exactly CIE's.
+//! Simulates a log of an AS7341 with exactly nominal responsivities under exactly the CIE's lamps.
 //!
-//! Whole numbers, sums and square roots alone, so it is the same on every machine, byte for byte.
+//! It uses whole numbers, sums and square roots only, so that the log is the same on every machine, byte for
+//! byte.
 
 use nanospectra::radiometry::illuminance;
 use nanospectra::sensor::{AutoExposure, Exposure, Noise, chip::as7341, gaussian_responsivities};
 use nanospectra::{Fine, Nodes, Observer, Power, light};
 use std::fmt::Write;
 
-/// What the chip adds.
+/// The noise that the chip adds.
 pub const NOISE: Noise = Noise { electrons_per_count: 180.0, read_counts: 1.2 };
-/// Basic counts for each W/m2 at the peak of a channel.
+/// The basic counts for each W/m2 at the peak of a channel.
 pub const COUNTS_PER_W: f64 = 30.0;
 pub const SEED: u64 = 0x0a57_3410_5eed;
-/// The light that is switched on and off: how often a second, and for which share.
+/// The frequency and the duty of the light that is switched on and off.
 pub const PWM_HZ: f64 = 100.0;
 pub const PWM_DUTY: f64 = 0.4;
-/// (ATIME, ASTEP) of its readings, and how many there are.
+/// The settings (ATIME, ASTEP) of the readings of that light, and their number.
 const PWM_TIME: (u8, u16) = (0, 359);
 const PWM_READINGS: usize = 40;
 const PWM_GAIN: f32 = 8.0;
 
-/// Label, CIE name, lux.
+/// The lamps, by label, name of the CIE and illuminance in lux.
 pub const LAMPS: [(&str, &str, f32); 6] = [
     ("A", "A", 200.0),
     ("D65", "D65", 500.0),
@@ -30,13 +31,13 @@ pub const LAMPS: [(&str, &str, f32); 6] = [
     ("HP1", "HP1", 150.0),
 ];
 
-/// W/m2/nm of a lamp at an illuminance.
+/// Returns a lamp, in W/m2/nm, that gives an illuminance.
 pub fn lamp(name: &str, lux: f32) -> Fine<Power> {
     let light = light::named(name).unwrap_or(Fine::flat(0.0));
     at(lux, &light)
 }
 
-/// A light emitting diode of 30 nm at 525 nm.
+/// Returns a light emitting diode at 525 nm, 30 nm wide, that gives an illuminance.
 pub fn green_led(lux: f32) -> Fine<Power> {
     let [shape] = *gaussian_responsivities::<1, 471, Nodes<360, 830>>([(525.0, 30.0)]).weights();
     at(lux, &Fine::from_bins(shape))
@@ -47,13 +48,13 @@ fn at(lux: f32, light: &Fine<Power>) -> Fine<Power> {
     Fine::from_bins(light.values().map(|power| if now > 0.0 { power * (lux / now) } else { 0.0 }))
 }
 
-/// Basic counts without noise.
+/// Returns the basic counts of a light, without noise.
 pub fn basic(light: &Fine<Power>) -> [f64; 8] {
     let chip: &Observer<8, 471, Power, Nodes<360, 830>> = &as7341::NOMINAL;
     chip.sees(light).map(|power| COUNTS_PER_W * f64::from(power))
 }
 
-/// The log, with the header that says all this.
+/// Returns the log, with a header that says how it was made.
 pub fn log() -> String {
     let mut log = Log { text: header(), dice: Dice(SEED), seconds: 0.0 };
     for (label, name, lux) in LAMPS {
@@ -61,7 +62,7 @@ pub fn log() -> String {
     }
     log.settle("dark", &[0.0; 8]);
     log.settle("green LED", &basic(&green_led(300.0)));
-    // Whoever chose this gain had no advice.
+    // A reading that is saturated, because its gain was chosen without advice.
     log.row("D65 at a gain too high", &basic(&lamp("D65", 20_000.0)), 512.0, 29, 599);
     log.pulses(&basic(&lamp("LED-B3", 1500.0)));
     log.text
@@ -70,14 +71,14 @@ pub fn log() -> String {
 fn header() -> String {
     let Noise { electrons_per_count, read_counts } = NOISE;
     format!(
-        "# Simulated readings of known lamps; made by examples/cli/src/sensor/simulate.rs (nanospectra sensor --simulate), not measured\n\
-         # chip: AS7341 as nanospectra::sensor::chip::as7341 has it, {COUNTS_PER_W} basic counts for each W/m2 at a channel's peak\n\
-         # light: CIE illuminants at 200 (A), 500 (D65), 300 (FL2), 400 (FL11), 350 (LED-B3), 150 lx (HP1); green LED of\n\
-         #   30 nm at 525 nm, 300 lx; D65 of 20000 lx at gain 512; dark: none\n\
-         # exposure: AutoExposure on as7341::LADDER from its middle; the reading after which it stays is the one here\n\
-         # noise: --electrons-per-count {electrons_per_count} --read-counts {read_counts}, sums of 12 even numbers, rounded; seed {SEED:#x}\n\
-         # PWM: LED-B3, 1500 lx when on, {PWM_HZ} Hz, duty {PWM_DUTY}, read without pause, once each 1.0008 ms: 999.2 Hz\n\
-         #   (all channels at once, which the chip's six converters cannot)\n\
+        "# Simulated readings of known lamps, made by nanospectra sensor --simulate (examples/cli/src/sensor/simulate.rs), not measured.\n\
+         # Chip: the AS7341 of nanospectra::sensor::chip::as7341, with {COUNTS_PER_W} basic counts for each W/m2 at a channel's peak.\n\
+         # Light: CIE illuminants of 200 (A), 500 (D65), 300 (FL2), 400 (FL11), 350 (LED-B3) and 150 lx (HP1); a green LED at\n\
+         #   525 nm, 30 nm wide, of 300 lx; D65 of 20000 lx at gain 512. In the reading 'dark' there is no light.\n\
+         # Exposure: by AutoExposure on as7341::LADDER, from its middle; each row is the reading after which it stays.\n\
+         # Noise: --electrons-per-count {electrons_per_count} --read-counts {read_counts}, by sums of 12 uniform numbers, rounded; seed {SEED:#x}.\n\
+         # PWM: LED-B3 of 1500 lx when it is on, {PWM_HZ} Hz, duty {PWM_DUTY}, read every 1.0008 ms without a pause (999.2 Hz),\n\
+         #   in all channels at once, which the chip's six converters cannot do.\n\
          # license: CC BY-SA 4.0 (made from CIE data tables)\n\
          time,label,gain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n"
     )
@@ -90,7 +91,7 @@ struct Log {
 }
 
 impl Log {
-    /// One row: the first reading after which the exposure stays.
+    /// Writes one row, with the first reading after which the exposure stays.
     fn settle(&mut self, label: &str, basic: &[f64; 8]) {
         let Ok(auto) = AutoExposure::new(&as7341::LADDER) else { return };
         let mut place = auto.middle();
@@ -114,17 +115,17 @@ impl Log {
         self.write(label, &exposure, atime, astep, &counts);
     }
 
-    /// Readings one after the other of a light that is on at the start of each period.
+    /// Writes readings, one directly after the other, of a light that is on at the start of each period.
     fn pulses(&mut self, on: &[f64; 8]) {
         let (atime, astep) = PWM_TIME;
         let exposure = as7341::exposure(PWM_GAIN, atime, astep);
         let step = f64::from(exposure.time_ms()) / 1000.0 * PWM_HZ;
-        // Periods of light up to a moment, in periods.
+        // How long the light was on before a moment; both are counted in periods.
         let lit = |periods: f64| periods.floor() * PWM_DUTY + periods.fract().min(PWM_DUTY);
         self.seconds += 1.0;
         let start = self.seconds;
         for k in 0..PWM_READINGS {
-            // It begins 0.3 periods after a pulse has.
+            // The first reading begins 0.3 periods after a pulse does.
             let from = 0.3 + k as f64 * step;
             let share = (lit(from + step) - lit(from)) / step;
             let counts = self.counts(&on.map(|value| value * share), &exposure);
@@ -152,7 +153,7 @@ impl Log {
     }
 }
 
-/// Random numbers that are the same every time.
+/// Random numbers that are the same in every run.
 struct Dice(u64);
 
 impl Dice {
@@ -163,7 +164,7 @@ impl Dice {
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Mean 0, variance 1, never beyond 6.
+    /// Returns a number with a mean of 0 and a variance of 1, which never exceeds 6.
     fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.even()).sum::<f64>() - 6.0
     }

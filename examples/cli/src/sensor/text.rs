@@ -1,4 +1,4 @@
-//! Readings as a table for people.
+//! Writes readings as a table for people.
 
 use crate::failure::printable;
 use crate::output::plot::BLOCKS;
@@ -10,7 +10,7 @@ use crate::sensor::measure::{Color, Reading, Status};
 use crate::sensor::runs::Run;
 use nanospectra::color::Cct;
 
-/// The table, the runs, the notes.
+/// Returns the report, with the table, the runs and the notes.
 pub fn report(report: &Report) -> String {
     let lux = report.readings.iter().any(|reading| reading.color.as_ref().is_some_and(|c| c.lux.is_some()));
     let level = if lux { "lux" } else { "Y (relative)" };
@@ -22,7 +22,7 @@ pub fn report(report: &Report) -> String {
     }
     text += "\n";
     let all = || std::iter::once(heading.map(str::to_owned)).chain(rows.iter().cloned());
-    // A column that is empty in every row is left out.
+    // Leave out a column that is empty in every row.
     let widths: [usize; 10] = std::array::from_fn(|k| {
         let empty = rows.iter().all(|row| row[k].is_empty());
         if empty { 0 } else { all().map(|row| row[k].chars().count()).max().unwrap_or(0) }
@@ -82,7 +82,7 @@ fn fill(row: &mut [String; 10], color: &Color) {
     row[8] = color.spectrum.as_ref().map_or_else(String::new, |bins| curve(bins));
 }
 
-/// A spectrum as blocks; what is negative is empty.
+/// Draws a spectrum with block characters, where negative values are empty.
 fn curve(bins: &[(f32, f32)]) -> String {
     let top = bins.iter().map(|bin| bin.1).fold(f32::MIN_POSITIVE, f32::max);
     bins.iter().map(|bin| BLOCKS[(8.0 * bin.1 / top).ceil().clamp(0.0, 8.0) as usize]).collect()
@@ -93,8 +93,8 @@ fn flicker(run: &Run) -> String {
     let (from, to) = run.lines;
     let mut text = format!("\n{name}: {} readings, lines {from}..{to}", run.readings);
     match &run.rate_hz {
-        Ok(rate) => text += &format!(", {rate:.1} a second\n"),
-        Err(why) => text += &format!("; flicker cannot be told: {why}\n"),
+        Ok(rate) => text += &format!(", {rate:.1} per second\n"),
+        Err(why) => text += &format!("; the flicker is unknown: {why}\n"),
     }
     for at in &run.flicker {
         text += &match &at.found {
@@ -107,8 +107,9 @@ fn flicker(run: &Run) -> String {
                 flicker.index,
                 amplitude,
                 100.0 * at.shown,
-                at.confused_with_hz
-                    .map_or(String::new(), |hz| format!("; too short a run to tell it from {hz} Hz"))
+                at.confused_with_hz.map_or(String::new(), |hz| format!(
+                    "; the run is too short to distinguish it from {hz} Hz"
+                ))
             ),
             Err(why) => format!("  {} Hz: {why}\n", at.frequency_hz),
         };
@@ -116,7 +117,7 @@ fn flicker(run: &Run) -> String {
     text
 }
 
-/// Each note once.
+/// Returns each note once.
 fn notes(report: &Report) -> String {
     let mut notes: Vec<String> = Vec::new();
     for reading in &report.readings {
@@ -130,7 +131,10 @@ fn notes(report: &Report) -> String {
     }
     let seen = report.readings.iter().find_map(|reading| reading.color.as_ref()?.spectrum.as_ref());
     if let Some([first, .., last]) = seen.map(Vec::as_slice) {
-        notes.push(format!("spectrum: {:.0} to {:.0} nm, 10 nm each, the largest full", first.0, last.0));
+        notes.push(format!(
+            "spectrum: {:.0} to {:.0} nm in bins of 10 nm, relative to the largest",
+            first.0, last.0
+        ));
     }
     if notes.is_empty() {
         return String::new();

@@ -291,7 +291,7 @@ fn pictures_are_new_files_in_the_order_of_the_colors() {
     fs::write(pictures.join("1-000000.svg"), "mine").expect("written");
     let refused = PAINT.run(&["0,0,0", "1,1,1", "--svg", directory]);
     assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
-    assert!(refused.err.contains("1-000000.svg: is there already; "), "{}", refused.err);
+    assert!(refused.err.contains("1-000000.svg: the file exists already; "), "{}", refused.err);
     assert_eq!(fs::read_to_string(pictures.join("1-000000.svg")).expect("still there"), "mine");
     assert_eq!(files(&pictures).len(), 4);
 }
@@ -315,7 +315,7 @@ fn a_run_that_fails_leaves_no_picture_behind() {
         let message = String::from_utf8(output.stderr).expect("UTF-8");
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(
-            message.starts_with("stdout: cannot be written") && message.lines().count() == 1,
+            message.starts_with("stdout: the output cannot be written") && message.lines().count() == 1,
             "{message}"
         );
         assert_eq!(files(&directory), ["mine"]);

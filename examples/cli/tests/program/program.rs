@@ -10,6 +10,27 @@ fn without_a_command_it_measures_the_lamp_it_brings() {
     assert!(bare.contains("l41_white_led") && bare == NANOSPECTRA.says(&["measure"]));
 }
 
+/// The reports in README.md are those of the program; of the sensor's the last columns are left out.
+#[test]
+fn the_readme_shows_what_the_program_says() {
+    let readme = include_str!("../../README.md");
+    let block = |start: &str| {
+        let text = readme.split("```text\n").skip(1).find(|text| text.starts_with(start)).expect("a block");
+        text.split("```").next().expect("its end")
+    };
+    assert_eq!(block("CIE L41").trim_end(), NANOSPECTRA.says(&[]).trim_end());
+
+    let sensor = Program("sensor", module_path!());
+    let report = sensor.says_to(block("label,gain"), &["--sensor", "as7341", "-"]);
+    assert_eq!(block("AS7341").lines().count(), report.lines().count());
+    for (shown, said) in block("AS7341").lines().zip(report.lines()) {
+        assert!(said.starts_with(shown), "{shown:?} is {said:?}");
+    }
+
+    let refused = Program("measure", module_path!()).run_with("nm,a\n500,1\n490,2\n", &["-"]);
+    assert_eq!(block("lamp.csv:3"), refused.err.replace("stdin", "lamp.csv"));
+}
+
 #[test]
 fn help_names_every_command_with_a_sentence() {
     let help = NANOSPECTRA.says(&["--help"]);
@@ -28,7 +49,7 @@ fn a_word_that_is_no_command_is_refused_on_one_line() {
         NANOSPECTRA.refuses(&[word], &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
     }
     let long = "x".repeat(300);
-    NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "no command");
+    NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "not a command");
     NANOSPECTRA.refuses(&["--json"], "nanospectra: ", "--json");
 }
 

@@ -139,7 +139,7 @@ fn what_is_not_there_is_named() {
     let (outcome, path) = scene("sensor = \"AS7342\"", "filter.flat = 1");
     assert_refused(&outcome, &format!("{path}:2: "), "AS7341");
     let (outcome, _) = scene("", "filter.csv = \"not-there.csv\"");
-    assert!(outcome.err.contains("not-there.csv: no such file"), "{:?}", outcome.err);
+    assert!(outcome.err.contains("not-there.csv: there is no such file"), "{:?}", outcome.err);
     let (outcome, path) = scene("", &"filter.flat = 1\n[[part]]\n".repeat(17));
     assert_refused(&outcome, &format!("{path}:"), "more than 16 parts");
 

@@ -6,17 +6,17 @@ const SENSOR: Program = Program("sensor", module_path!());
 
 /// Bad input: options, the log, where the message begins and a word of it.
 const BAD: &[(&[&str], &str, &str, &str)] = &[
-    (&[], "", "stdin:1: ", "nothing in it"),
+    (&[], "", "stdin:1: ", "nothing in the file"),
     (&[], "# only\n", "stdin:1: ", "heading"),
     (&[], "gain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n", "stdin:1: ", "only a heading"),
     (&[], "gain,atime,astep,f1,f2,f3,f4,f5,f6,f7\n1,2,3,4,5,6,7,8,9,10\n", "stdin:1: ", "no column 'f8'"),
     (&[], "gain,astep,f1,f2,f3,f4,f5,f6,f7,f8\n1,2,3,4,5,6,7,8,9,10\n", "stdin:1: ", "no column 'atime'"),
     (&[], "G\n8,29,599,1,2,3,4,5,6,7\n", "stdin:3: ", "10 cells"),
-    (&[], "G\n8,29,599,1,2,3,4,x,6,7,8\n", "stdin:3: ", "'x', not a number"),
+    (&[], "G\n8,29,599,1,2,3,4,x,6,7,8\n", "stdin:3: ", "'x', which is not a number"),
     (&[], "G\n8,29,599,1,2,3,4,NaN,6,7,8\n", "stdin:3: ", "not a finite number"),
     (&[], "G\n8,29,599,1,2,3,4,-5,6,7,8\n", "stdin:3: ", "dark_"),
     (&[], "G\n8,29,599,1,2,3,4,,6,7,8\n", "stdin:3: ", "'f5' is empty"),
-    (&[], "G\n8,29,599,1,2,3,4,5.5,6,7,8\n", "stdin:3: ", "no whole count"),
+    (&[], "G\n8,29,599,1,2,3,4,5.5,6,7,8\n", "stdin:3: ", "not a whole count"),
     (&[], "G\n9,29,599,1,2,3,4,5,6,7,8\n", "stdin:3: ", "not the register's code"),
     (&[], "G\n8,256,599,1,2,3,4,5,6,7,8\n", "stdin:3: ", "0..255"),
     (&[], "G\n8,29,599,1,2,3,4,5,6,7,\"8\n", "stdin:3: ", "quote"),
@@ -31,9 +31,9 @@ const BAD: &[(&[&str], &str, &str, &str)] = &[
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,1,1\n", "--sensor: ", "--responsivity"),
     (&["--sensor", "custom"], "gain,time_ms,full_scale\n1,1,1\n", "stdin:1: ", "no channel"),
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,0,1,1\n", "stdin:2: ", "above zero"),
-    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,0,1\n", "stdin:2: ", "no full scale"),
+    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,0,1\n", "stdin:2: ", "cannot be a full scale"),
     (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1,1,4294967295,1\n", "stdin:2: ", "0..2147483647"),
-    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1e20,1e20,9,1\n", "stdin:2: ", "no exposure"),
+    (&["--sensor", "custom"], "gain,time_ms,full_scale,a\n1e20,1e20,9,1\n", "stdin:2: ", "out of range"),
     (&[], "G\n8,29,599,1,2,3,4,70000,6,7,8\n", "stdin:3: ", "more than the chip can count"),
     (&["--floor", "-1"], "", "--floor: ", "0 or more"),
     (&["--floor", "few"], "", "sensor: ", "not a number"),
@@ -53,7 +53,7 @@ fn what_is_wrong_ends_with_one_line_that_says_where() {
         let log = log.replace("G\n", "# raw counts\ngain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n");
         SENSOR.refuses_of(log.as_bytes(), &[options, &["-"][..]].concat(), start, word);
     }
-    SENSOR.refuses_of(b"", &["--sensor", "as7343"], "--sensor: ", "LOG of yours");
+    SENSOR.refuses_of(b"", &["--sensor", "as7343"], "--sensor: ", "LOG of your sensor");
     SENSOR.refuses_of(b"\xff\xfea\0", &["-"], "stdin:1: ", "UTF-16");
     SENSOR.refuses_of(b"a\n\xb5\n", &["-"], "stdin:2: ", "UTF-8");
 }
@@ -62,8 +62,8 @@ fn what_is_wrong_ends_with_one_line_that_says_where() {
 fn files_about_the_chip_are_checked_as_strictly() {
     let log = "gain,time_ms,full_scale,a,b\n1,1,100,10,20\n";
     let cases = [
-        ("--calibration", "row,a,b\nX,1,2\nY,1,2\n", 1, "not one row Z"),
-        ("--responsivity", "nm,a,b\n400,1,1\n500,-1,1\n", 3, "no responsivity"),
+        ("--calibration", "row,a,b\nX,1,2\nY,1,2\n", 1, "not exactly one row Z"),
+        ("--responsivity", "nm,a,b\n400,1,1\n500,-1,1\n", 3, "not a responsivity"),
         ("--calibration", "row,a,b\nX,1,2\nY,1,2\nZ,1,2\nW,1,2\n", 5, "none of X, Y, Z"),
         ("--calibration", "a,b\n1,2\n", 1, "neither a matrix nor patches"),
         ("--calibration", "row,a\nX,1\n", 1, "no column 'b'"),

@@ -38,7 +38,7 @@ fn assert_refused(outcome: &Outcome, start: &str, word: &str) {
 fn help_names_every_option_and_exits_well() {
     let help = run(&["--help"]);
     assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    for option in ["--quick", "--only", "--json", "--check", "--bless", "--readme", "--advise", "--lamps"] {
+    for option in ["--quick", "--only", "--json", "--check", "--bless", "--docs", "--advise", "--lamps"] {
         assert!(help.out.contains(option), "{option}");
     }
 }

@@ -1,4 +1,4 @@
-//! The chromaticity diagram of the observer, with the spectrum locus, the black bodies and the point.
+//! Draws the chromaticity diagram of the observer, with the spectrum locus, the black bodies and the reading.
 
 use crate::measure::reading::{Bench, Reading};
 use crate::output::tint;
@@ -11,16 +11,16 @@ use nanospectra::{Fine, FineObserver, Power};
 use svg::node::element::path::Data;
 use svg::node::element::{Circle, Definitions, Group, LinearGradient, Path, Polygon};
 
-/// Where the locus begins and ends; beyond, the eye's tables are noise.
+/// The ends of the drawn locus, in nm. Beyond them, the observer's tables are too noisy to draw.
 const FIRST: usize = 400;
 const LAST: usize = 700;
-/// Wavelengths written beside the locus.
+/// The wavelengths that are written beside the locus, in nm.
 const NUMBERED: [usize; 13] = [460, 470, 480, 490, 500, 510, 520, 540, 560, 580, 600, 620, 700];
-/// Black bodies written beside their line, in K.
+/// The temperatures that are written beside the line of black bodies, in K.
 const HOT: [f32; 4] = [2000.0, 3000.0, 5000.0, 10_000.0];
-/// The middle of the fan of colors.
+/// The chromaticity at which all wedges of color meet.
 const WHITE: Xy = Xy { x: 1.0 / 3.0, y: 1.0 / 3.0 };
-/// Colors along a ray of the fan, and wedges along the purple line.
+/// The number of colors along a ray from white, and of wedges along the purple line.
 const STOPS: usize = 6;
 const PURPLES: usize = 40;
 
@@ -44,12 +44,12 @@ pub fn draw(area: Area, bench: &Bench, reading: &Reading) -> Group {
     group.add(frame.border())
 }
 
-/// The chromaticity of one wavelength.
+/// Returns the chromaticity of one wavelength.
 fn spectral(eye: &FineObserver<3>, nm: usize) -> Option<Xy> {
     Xyz::from(eye.weights().map(|row| row[nm - 360])).xy()
 }
 
-/// The locus filled with colors: wedges from white to the edge.
+/// Fills the locus with colors, by wedges from white to the edge.
 fn colors(frame: &Frame, locus: &[Xy]) -> Group {
     let (Some(blue), Some(red)) = (locus.first(), locus.last()) else { return Group::new() };
     let mut edge: Vec<Xy> = locus.iter().step_by(2).copied().collect();
@@ -69,7 +69,7 @@ fn colors(frame: &Frame, locus: &[Xy]) -> Group {
     Group::new().add(definitions).add(wedges)
 }
 
-/// The colors from white to a point of the edge.
+/// Returns the gradient of colors from white to a point of the edge.
 fn ray(frame: &Frame, id: &str, edge: Xy) -> LinearGradient {
     let gradient = gradient(id, frame.place(WHITE.x, WHITE.y), frame.place(edge.x, edge.y));
     (0..=STOPS).fold(gradient, |gradient, k| {
@@ -95,7 +95,7 @@ fn path(frame: &Frame, points: impl Iterator<Item = Xy>, closed: bool) -> Path {
     Path::new().set("d", if closed { data.close() } else { data }).set("fill", "none")
 }
 
-/// Numbers outside the locus, away from white.
+/// Draws the numbers outside the locus, away from white.
 fn wavelengths(frame: &Frame, eye: &FineObserver<3>) -> Group {
     NUMBERED.into_iter().filter_map(|nm| Some((nm, spectral(eye, nm)?))).fold(
         Group::new(),
@@ -122,7 +122,7 @@ fn wavelengths(frame: &Frame, eye: &FineObserver<3>) -> Group {
     )
 }
 
-/// The line of black bodies from 1500 K to 100,000 K, in equal steps of mired.
+/// Draws the line of black bodies from 1500 K to 100,000 K, in equal steps of mired.
 fn black_bodies(frame: &Frame, eye: &FineObserver<3>) -> Group {
     let at = |kelvin: f32| {
         let light = Fine::<Power>::at_centers(|nm| blackbody_relative(nm, kelvin));
@@ -137,7 +137,7 @@ fn black_bodies(frame: &Frame, eye: &FineObserver<3>) -> Group {
     })
 }
 
-/// The white of the light on a surface.
+/// Draws a cross at the white of the light on a surface.
 fn cross(frame: &Frame, white: Xy) -> Path {
     let (x, y) = frame.place(white.x, white.y);
     let data =

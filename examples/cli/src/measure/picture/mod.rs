@@ -1,5 +1,4 @@
-//! One SVG for each reading: the spectrum in its colors, its place in the chromaticity diagram, a
-//! swatch and the numbers.
+//! Draws an SVG for each reading, with the spectrum, the chromaticity diagram, a swatch and the numbers.
 
 mod chromaticity;
 
@@ -15,15 +14,17 @@ use std::path::{Path, PathBuf};
 use svg::Document;
 use svg::node::element::Group;
 
-/// What is drawn of a spectrum, in nm; the tables begin at 360.
+/// The range of a spectrum that is drawn, in nm. The tables begin at 360.
 const FIRST: usize = 380;
 const LAST: usize = 780;
-/// Longest title, in characters.
+/// The length of the longest title, in characters.
 const TITLE: usize = 70;
-/// Longest file name without `.svg`, in characters: below 255 bytes in any script.
+/// The length of the longest file name without `.svg`, in characters, which is below 255 bytes in any script.
 const FILE_NAME: usize = 60;
 
-/// Draws every reading into a file of `directory`, which is made if missing; the files in order.
+/// Draws every reading to a file in `directory`, which is created if it does not exist.
+///
+/// Returns the files in the order of the readings.
 pub fn save_all(directory: &Path, bench: &Bench, readings: &[Reading]) -> Result<Vec<PathBuf>, Failure> {
     fs::create_dir_all(directory).map_err(|error| refused(directory, &error, "directory"))?;
     let mut taken = HashSet::new();
@@ -36,7 +37,8 @@ pub fn save_all(directory: &Path, bench: &Bench, readings: &[Reading]) -> Result
     Ok(paths)
 }
 
-/// A name that every file system takes, and that no earlier spectrum has (whatever its case).
+/// Returns a name that every file system accepts and that no earlier spectrum has, in any case of its
+/// letters.
 fn file_name(name: &str, taken: &mut HashSet<String>) -> String {
     let safe = name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' });
     let safe: String = safe.take(FILE_NAME).collect();
@@ -78,7 +80,7 @@ fn curve(bench: &Bench, reading: &Reading) -> Group {
     spectrum::draw(area, ["wavelength / nm", title], &spectrum)
 }
 
-/// The numbers to draw, and what they are.
+/// Returns the numbers to draw, and the title of their axis.
 fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f32>, &'static str) {
     let times =
         |k: f64| reading.curve().values().iter().map(|value| (f64::from(*value) * k) as f32).collect();
@@ -92,7 +94,7 @@ fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f32>, &'static str) {
     }
 }
 
-/// The facts in two columns under the spectrum.
+/// Draws the facts in two columns under the spectrum.
 fn numbers(bench: &Bench, reading: &Reading) -> Group {
     let facts = facts::facts(bench, reading);
     let rows = facts.len().div_ceil(2).max(8);
@@ -105,7 +107,7 @@ fn numbers(bench: &Bench, reading: &Reading) -> Group {
     group
 }
 
-/// The color, as well as a display can show it.
+/// Draws the color, as well as a display can show it.
 fn swatch(reading: &Reading) -> Group {
     let Some(hex) = reading.hex.as_deref() else { return Group::new() };
     let area = Area { left: 850.0, top: 545.0, width: 220.0, height: 130.0 };

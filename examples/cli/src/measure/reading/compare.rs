@@ -1,18 +1,18 @@
-//! The difference between two spectra: this minus the reference.
+//! Computes the difference between two spectra: this one minus the reference.
 
 use super::{Bench, Note, Reading};
 use crate::measure::args::Unit;
 use nanospectra::color::{Cie94Weights, cie76, cie94, ciede2000, cmc};
 
-/// How a spectrum differs from the reference. `None` stands where a number is not defined.
+/// The differences of a spectrum from the reference, with `None` where a number is not defined.
 pub struct Comparison {
-    /// Name of the reference.
+    /// The name of the reference.
     pub to: String,
-    /// For a key of the report the difference, one or more numbers.
+    /// The difference, of one or more numbers, for each key of the report.
     pub differences: Vec<(&'static str, Option<Difference>)>,
 }
 
-/// One number, or one for each coordinate.
+/// A difference of one number, or of one for each coordinate.
 pub enum Difference {
     One(f64),
     Each(Vec<f32>),
@@ -32,9 +32,12 @@ pub fn compare(bench: &Bench, this: &Reading, reference: &Reading) -> (Compariso
     let note = |key: &str, text: &str| Note { key: format!("compare.{key}"), text: text.to_owned() };
     let missing = differences.iter().filter(|(_, value)| value.is_none());
     let mut notes: Vec<Note> =
-        missing.map(|(key, _)| note(key, "not defined for one of the two spectra")).collect();
+        missing.map(|(key, _)| note(key, "it is not defined for one of the two spectra")).collect();
     if bench.room.is_none() && bench.unit == Unit::Relative {
-        notes.push(note("y_ratio", "of the numbers as read: of use only if both share one unknown unit"));
+        notes.push(note(
+            "y_ratio",
+            "the ratio of the numbers as read means something only if both have the same unit",
+        ));
     }
     (Comparison { to: reference.name.clone(), differences }, notes)
 }
@@ -73,8 +76,10 @@ fn surfaces(this: &Reading, reference: &Reading) -> Vec<Row> {
     ]
 }
 
-/// How far apart the curves are. Lights are brought to the same Y first, because their level
-/// says where the meter stood; the result is then a share of the reference.
+/// Returns the root mean square difference between the curves.
+///
+/// Lights are scaled to the same Y first, because their level depends on where the meter stood. The result is
+/// then a share of the reference's root mean square.
 fn spectral_rms(this: &Reading, reference: &Reading, lights: bool) -> Option<Difference> {
     let level = |reading: &Reading| if lights { reading.curve_y } else { 1.0 };
     let (a, b) = (level(this), level(reference));

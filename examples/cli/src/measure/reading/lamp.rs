@@ -1,4 +1,4 @@
-//! The numbers about a light.
+//! Computes the numbers about a light.
 
 use super::{Bench, Reading};
 use crate::failure::Failure;
@@ -9,10 +9,10 @@ use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
 use nanospectra::{Fine, Power};
 
-/// Equal energy: what the dominant wavelength of a light is seen from.
+/// The equal-energy white, from which the dominant wavelength of a light is measured.
 const E: Xy = Xy { x: 1.0 / 3.0, y: 1.0 / 3.0 };
 
-/// CIE 13.3: a test light further than this from its reference has no meaningful Ra.
+/// The largest distance from the reference light at which Ra means something, by CIE 13.3.
 const MAX_DC: f32 = 5.4e-3;
 
 pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
@@ -33,13 +33,13 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     photometry(&mut reading, bench.unit, &power, scale);
 
     reading.show(Rgb::from_xyz(relative));
-    reading.note("srgb", "the light's chromaticity at Y = 100, clipped to the gamut; so is hex");
-    let surfaces = "a light has none: it needs a surface and a white";
+    reading.note("srgb", "this and hex are the light's chromaticity at Y = 100, clipped to the gamut");
+    let surfaces = "a light has none, because it takes a surface and a white";
     reading.missing(&["lab", "delta_e2000"], surfaces);
     if !std::ptr::eq(bench.eye.functions, &CIE_1931) {
-        let what =
-            "for XYZ, chromaticity, dominant wavelength and sRGB; CCT, Duv, CRI and photometry stay with";
-        reading.note("observer", format!("{} {what} CIE 1931", bench.eye.title));
+        let what = "is used for XYZ, chromaticity, dominant wavelength and sRGB, \
+                    and CIE 1931 for CCT, Duv, CRI and photometry";
+        reading.note("observer", format!("{} {what}", bench.eye.title));
     }
     for remark in source.remarks::<Power>(bench.by()) {
         reading.note("data", remark);
@@ -48,7 +48,7 @@ pub fn measure(bench: &Bench, source: &Source) -> Result<Reading, Failure> {
     Ok(reading)
 }
 
-/// Color temperature.
+/// Adds the color temperature.
 fn white(reading: &mut Reading, standard: Xyz) {
     let why = match standard.cct() {
         Some(Cct::Near { cct_k, duv }) => {
@@ -57,20 +57,20 @@ fn white(reading: &mut Reading, standard: Xyz) {
             return;
         }
         Some(none) => none.to_string(),
-        None => "no chromaticity for the 1931 observer".into(),
+        None => "there is no chromaticity for the 1931 observer".into(),
     };
     reading.missing(&["cct_k", "duv"], &why);
 }
 
-/// How the light renders colors.
+/// Adds how the light renders colors.
 fn rendering(reading: &mut Reading, power: &Fine<Power>) {
     match cri(power) {
         Ok(cri) => {
             reading.cri_ra = Some(cri.ra);
             reading.cri_r = Some(cri.r);
             if cri.dc > MAX_DC {
-                let what = "from the reference light in uv, CIE 13.3 allows 0.0054: of little meaning";
-                reading.note("cri_ra", format!("{:.4} {what}", cri.dc));
+                let what = "from its reference in uv, where CIE 13.3 allows 0.0054, so that Ra means little";
+                reading.note("cri_ra", format!("the light is {:.4} {what}", cri.dc));
             }
         }
         Err(error) => reading.missing(&["cri_ra", "cri_r"], &error.to_string()),
@@ -84,7 +84,7 @@ fn rendering(reading: &mut Reading, power: &Fine<Power>) {
     }
 }
 
-/// What the light does: for the eye, the inner clock, plants.
+/// Adds what the light does for the eye, for the body's clock and for plants.
 fn photometry(reading: &mut Reading, unit: Unit, power: &Fine<Power>, scale: f64) {
     reading.ler_lm_per_w = luminous_efficacy(power);
     if reading.ler_lm_per_w.is_none() {
@@ -92,12 +92,12 @@ fn photometry(reading: &mut Reading, unit: Unit, power: &Fine<Power>, scale: f64
     }
     reading.melanopic_edi_ratio = AlphaOpic::der(power).map(|ratios| ratios.melanopic);
     if reading.melanopic_edi_ratio.is_none() {
-        reading.missing(&["melanopic_edi_ratio"], "no luminance to compare with");
+        reading.missing(&["melanopic_edi_ratio"], "there is no luminance to compare with");
     }
     if unit == Unit::Absolute {
         reading.lux = Some(f64::from(illuminance(power)) * scale);
         reading.ppfd = Some(f64::from(ppfd(power)) * scale);
     } else {
-        reading.missing(&["lux", "ppfd"], "relative input; give W/m2/nm and --unit absolute");
+        reading.missing(&["lux", "ppfd"], "the input is relative; give W/m2/nm and --unit absolute");
     }
 }

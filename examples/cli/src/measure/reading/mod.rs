@@ -1,4 +1,4 @@
-//! From a spectrum to every number about it.
+//! Computes every number about a spectrum.
 
 mod compare;
 mod lamp;
@@ -16,28 +16,28 @@ use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
 use std::path::Path;
 
-/// What all spectra of a run are measured with.
+/// The observer, the rule and the unit with which all spectra of a run are measured.
 pub struct Bench {
     pub eye: &'static NamedObserver,
     pub between: Between,
     pub unit: Unit,
-    /// For reflectances.
+    /// The light on the surfaces, if the spectra are reflectances.
     pub room: Option<Room>,
 }
 
-/// The light on a surface, and the eye in that light.
+/// The light on a surface, and the observer under that light.
 pub struct Room {
     pub light: Illuminant,
     eye: FineObserver<3, Factor>,
     white: Xyz,
 }
 
-/// Every number about one spectrum. `None` stands where one is not defined; a note says why.
+/// Every number about one spectrum, with `None` and a note that says why where one is not defined.
 #[derive(Default)]
 pub struct Reading {
     pub file: String,
     pub name: String,
-    /// Y = 100 for a relative light and for white under a light, lx for an absolute light.
+    /// XYZ, with Y = 100 for a relative light and for white under a light, and Y in lx for an absolute light.
     pub xyz: [f64; 3],
     pub xy: Option<Xy>,
     pub uv1960: Option<Uv1960>,
@@ -47,7 +47,7 @@ pub struct Reading {
     pub lux: Option<f64>,
     pub ler_lm_per_w: Option<f32>,
     pub lab: Option<Lab>,
-    /// Encoded, clipped to 0..=1.
+    /// The encoded components, clipped to 0..=1.
     pub srgb: Option<[f32; 3]>,
     pub hex: Option<String>,
     pub dominant_wavelength_nm: Option<f32>,
@@ -59,26 +59,26 @@ pub struct Reading {
     pub melanopic_edi_ratio: Option<f32>,
     pub ppfd: Option<f64>,
     pub delta_e2000: Option<f32>,
-    /// The difference to the spectrum of `--compare`.
+    /// The difference to the spectrum that `--compare` names.
     pub compare: Option<Comparison>,
     pub notes: Vec<Note>,
     curve: Option<Fine<Power>>,
-    /// Y of the curve.
+    /// Y of `curve`.
     curve_y: f64,
-    /// Y of the numbers as they were read.
+    /// Y of the numbers as they were read from the file.
     raw_y: f64,
 }
 
-/// A word about one quantity.
+/// A note about one quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// The key of the JSON report, or `data` for the samples.
+    /// The key in the JSON report that the note is about, or `data` for the samples.
     pub key: String,
     pub text: String,
 }
 
 impl Bench {
-    /// As the options ask.
+    /// Makes the bench that the options describe.
     pub fn new(args: &Args) -> Result<Self, Failure> {
         let mut bench =
             Bench { eye: args.observer.0, between: args.interpolation, unit: args.unit, room: None };
@@ -92,7 +92,7 @@ impl Bench {
         Ok(bench)
     }
 
-    /// All numbers about a spectrum.
+    /// Computes all numbers about a spectrum.
     pub fn measure(&self, source: &Source) -> Result<Reading, Failure> {
         let mut reading = match &self.room {
             Some(room) => surface::measure(self, room, source),
@@ -100,12 +100,12 @@ impl Bench {
         }?;
         reading.explain_the_rest();
         if reading.xyz.iter().any(|value| !value.is_finite()) {
-            return Err(source.wrong("its sums are beyond all numbers; check the values and the unit"));
+            return Err(source.wrong("its sums are too large for any number; check the values and the unit"));
         }
         Ok(reading)
     }
 
-    /// The same, and the difference to the spectrum of `--compare`.
+    /// Computes all numbers about a spectrum, and the difference to the spectrum of `--compare`.
     pub fn measure_and_compare(
         &self,
         source: &Source,
@@ -125,31 +125,31 @@ impl Bench {
     }
 }
 
-/// What `--compare` names, measured.
+/// Measures the spectrum that `--compare` names.
 pub fn reference(bench: &Bench, args: &Args) -> Result<Option<Reading>, Failure> {
     let Some(path) = &args.compare else { return Ok(None) };
     bench.measure(&input::read_one(path, "--compare")?).map(Some)
 }
 
 impl Room {
-    /// What a perfect white surface looks like in this light.
+    /// Returns XYZ of a perfect white surface in this light.
     pub fn white(&self) -> Xyz {
         self.white
     }
 }
 
 impl Reading {
-    /// The spectrum at every nanometer, for drawing and comparing; of a surface its reflectance.
+    /// Returns the spectrum (of a surface, its reflectance) at every nanometer, for drawing and comparing.
     pub fn curve(&self) -> Fine<Power> {
         self.curve.unwrap_or(Fine::flat(0.0))
     }
 
-    /// The numbers as they were read are the curve times this.
+    /// Returns the factor that makes the numbers as they were read of the curve.
     pub fn scale(&self) -> f64 {
         if self.curve_y == 0.0 { 1.0 } else { self.raw_y / self.curve_y }
     }
 
-    /// A reading with the color filled in and nothing else; `xyz` may be at any scale.
+    /// Returns a reading that holds the color and nothing else, where `xyz` may be at any scale.
     fn of(bench: &Bench, source: &Source, xyz: Xyz, white: Xy) -> Self {
         let mut reading = Reading {
             file: source.file.clone(),
@@ -161,7 +161,7 @@ impl Reading {
             ..Reading::default()
         };
         let Some(xy) = reading.xy else {
-            let black = "black (X + Y + Z not above zero) has no chromaticity";
+            let black = "black has no chromaticity (X + Y + Z is not above zero)";
             reading.missing(&["xy", "uv1960", "uv1976", "dominant_wavelength_nm", "purity"], black);
             return reading;
         };
@@ -170,23 +170,24 @@ impl Reading {
             reading.purity = Some(dominant.purity);
         } else {
             reading.purity = Some(0.0);
-            reading.missing(&["dominant_wavelength_nm"], "within 0.00001 of the white it is seen against");
+            reading.missing(&["dominant_wavelength_nm"], "the color is within 0.00001 of the white");
         }
         reading
     }
 
-    /// Fills in the display's color, clipped; whether it was inside the gamut before.
+    /// Fills in the display's color, clipped to the gamut. Returns whether it was inside the gamut before.
     fn show(&mut self, color: Rgb<Srgb>) -> bool {
         let clipped = color.clip().rgb;
         let code = clipped.encode();
         let [r, g, b] = code.to_u8();
         self.srgb = Some(code.to_array());
         self.hex = Some(format!("#{r:02x}{g:02x}{b:02x}"));
-        // What rounding leaves beyond the gamut of a white is not worth a word.
+        // Rounding may leave a white slightly outside the gamut, which needs no note.
         color.to_array().iter().zip(clipped.to_array()).all(|(a, b)| (a - b).abs() <= 1e-5)
     }
 
-    /// A reason for whatever is still missing one: values so extreme that a formula has no result.
+    /// Adds a note for each number that is missing without one, because the values are too extreme for its
+    /// formula.
     fn explain_the_rest(&mut self) {
         let missing = [
             ("xy", self.xy.is_none()),
@@ -203,7 +204,7 @@ impl Reading {
         ];
         for (key, is_missing) in missing {
             if is_missing && !self.notes.iter().any(|note| note.key == key) {
-                self.note(key, "not defined for a spectrum with such negative values");
+                self.note(key, "it is not defined for a spectrum with such negative values");
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The numbers about a surface in a light.
+//! Computes the numbers about a surface in a light.
 
 use super::{Bench, Reading, Room};
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use nanospectra::{Factor, Fine};
 
 const PERFECT_WHITE: Lab = Lab { l: 100.0, a: 0.0, b: 0.0 };
 
-/// Keys of numbers that only a light has.
+/// The keys of the numbers that only a light has.
 const OF_THE_LIGHT: &str = "cct_k duv lux ler_lm_per_w cri_ra cri_r tm30_rf tm30_rg melanopic_edi_ratio ppfd";
 
 pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, Failure> {
@@ -23,26 +23,27 @@ pub fn measure(bench: &Bench, room: &Room, source: &Source) -> Result<Reading, F
     match reading.lab {
         Some(lab) => reading.delta_e2000 = Some(ciede2000(lab, PERFECT_WHITE)),
         None => reading
-            .missing(&["lab", "delta_e2000"], "the light excites not all of X, Y and Z, so it has no white"),
+            .missing(&["lab", "delta_e2000"], "X, Y or Z of the light is not above zero, so it has no white"),
     }
     match Adaptation::between::<Bradford>(room.white, Srgb::WHITE_XYZ) {
         Some(to_d65) => {
             let was_inside = reading.show(Rgb::from_xyz(to_d65.apply(xyz)));
             if !was_inside {
-                reading.note("srgb", "outside the gamut, clipped; so is hex");
+                reading.note("srgb", "the color is outside the gamut; this and hex are clipped");
             }
         }
-        None => reading.missing(&["srgb", "hex"], "the light is no white that could be adapted to D65"),
+        None => reading.missing(&["srgb", "hex"], "the light is not a white that can be adapted to D65"),
     }
     for key in OF_THE_LIGHT.split(' ') {
-        reading.note(key, "belongs to a light, not to a surface");
+        reading.note(key, "only a light has this number, and a surface has not");
     }
     for remark in source.remarks::<Factor>(bench.by()) {
         reading.note("data", remark);
     }
     let above = source.samples.iter().filter(|(_, value)| *value > 1.0).count();
     if above > 0 {
-        let what = format!("{above} values above 1: more light than falls on it (fluorescence, gloss?)");
+        let what =
+            format!("{above} values are above 1: more light leaves than arrives (fluorescence or gloss?)");
         reading.note("data", what);
     }
     reading.curve = Some(Fine::from_bins(*reflectance.values()));
