@@ -1,5 +1,6 @@
-//! The color of a lamp from what a spectroradiometer measured: XYZ, CCT with Duv, and the color rendering
-//! index Ra. For everyone who has a table of wavelengths and values and wants the numbers of a data sheet.
+//! From the samples of a spectroradiometer, this example computes the color of a lamp: XYZ, CCT with Duv, and
+//! the color rendering index Ra. It is for everyone who has a table of wavelengths and values and needs the
+//! numbers of a data sheet.
 //!
 //! `cargo run --release --example lamp_color`
 
@@ -18,12 +19,12 @@ const SAMPLES: [f32; 81] = [
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // The samples are read every 1 nm from 360 to 830 nm, as the CIE's sums ask for. (Samples at any other
-    // spacing enter as pairs of wavelength and value through `Fine::interpolated`.)
+    // The sums of the CIE take values every 1 nm from 360 to 830 nm, so the samples are interpolated.
+    // (Samples at other spacings are pairs of a wavelength and a value; `Fine::interpolated` takes those.)
     let measured = Light::<81, Nodes<380, 780>>::from_bins(SAMPLES);
     let lamp: Fine<Power> = measured.fine();
 
-    // The values are relative, so Y is set to 100.
+    // The values are relative, so XYZ is scaled to Y = 100.
     let xyz = Xyz::from(CIE_1931.sees(&lamp)).with_y(100.0).ok_or("the lamp is dark")?;
     let xy = xyz.xy().ok_or("the lamp is dark")?;
     let (cct_k, duv) = xy.uv1960().cct().near().ok_or("the lamp is not white, so it has no CCT")?;

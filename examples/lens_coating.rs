@@ -1,5 +1,6 @@
-//! An anti-reflection coating: what a lens reflects without it and with it, straight on and at a slant, and
-//! the purple bloom that is left. For everyone who works with thin films: coatings, oxide layers, soap.
+//! This example computes what a lens reflects with an anti-reflection coating and without it, at a right
+//! angle and at 45 degrees, and the purple color of the light that the coating still reflects. It is for
+//! everyone who works with thin films, such as coatings, oxide layers and soap.
 //!
 //! `cargo run --release --example lens_coating`
 
@@ -9,11 +10,12 @@ use nanospectra::matter::ThinFilm;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Observer, Reflectance};
 
-/// The eye in daylight, on 31 bands over 380..730 nm; a mirror has Y = 100.
+/// The eye in daylight, on 31 bands over 380..730 nm. A perfect mirror has Y = 100.
 static EYE: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Spline).with_white_y(100.0);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // From air through magnesium fluoride into crown glass, a quarter of a wave thick at 550 nm.
+    // Light goes from air through magnesium fluoride into crown glass. The coating is a quarter of a wave
+    // thick at 550 nm.
     let indices = [1.0, 1.38, 1.52];
     let coating = ThinFilm::new(indices, 550.0 / (4.0 * 1.38));
     let bare = ThinFilm::new(indices, 0.0);
@@ -28,8 +30,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
 
-    // Fresnel, for light that falls straight on: ((1 - n) / (1 + n))^2 = 4.26 %; with a quarter of a wave of
-    // index n1 on it ((n - n1^2) / (n + n1^2))^2 = 1.26 % (Born and Wolf, Principles of Optics, 1.6).
+    // At a right angle, glass of index n reflects ((1 - n) / (1 + n))^2 = 4.26 % (Fresnel). With a quarter of
+    // a wave of index n1 on it, it reflects ((n - n1^2) / (n + n1^2))^2 = 1.26 % (Born and Wolf, Principles
+    // of Optics, 1.6).
     let [s, p] = bare.at(550.0, 1.0);
     assert!((s.reflected - 0.0426).abs() < 5e-5 && (p.reflected - 0.0426).abs() < 5e-5);
     let [s, p] = coating.at(550.0, 1.0);

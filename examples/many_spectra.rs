@@ -1,5 +1,5 @@
-//! Many spectra at once to XYZ and CCT: here a furnace that heats up, measured every 5 nm a thousand times.
-//! For logs, hyperspectral images and production lines.
+//! This example computes XYZ and CCT of many spectra at once. Here they are of a furnace that heats up and is
+//! measured a thousand times, every 5 nm. It is for logs, hyperspectral images and production lines.
 //!
 //! `cargo run --release --example many_spectra`
 
@@ -15,7 +15,7 @@ type Grid = Nodes<380, 780>;
 static EYE: Observer<3, 81, Power, Grid> = CIE_1931.fold(Curve::Spline);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // Black bodies from 1500 K on, 10 K apart.
+    // The furnace is a black body, at temperatures from 1500 K in steps of 10 K.
     let kelvins: Vec<f32> = (0..1000).map(|k| 1500.0 + 10.0 * k as f32).collect();
     let spectra: Vec<Light<81, Grid>> =
         kelvins.iter().map(|&kelvin| Light::averaged(|nm| blackbody_relative(nm, kelvin))).collect();
@@ -25,8 +25,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     EYE.sees_each(&spectra, &mut xyz);
     println!("{} spectra to XYZ in {:?}", spectra.len(), start.elapsed());
 
-    // A black body has its own temperature for a CCT, by definition. (In mired, 1e6 / K, an error looks the
-    // same to the eye at any temperature; 1 mired is hardly visible.)
+    // By definition, the CCT of a black body is its temperature. (Errors are compared in mired, 1e6 / K, in
+    // which they are about equally visible at all temperatures. 1 mired is hardly visible.)
     let mut worst_mired = 0.0_f32;
     for (&kelvin, &xyz) in kelvins.iter().zip(&xyz) {
         let uv = Xyz::from(xyz).uv1960().ok_or("dark")?;

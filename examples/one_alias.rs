@@ -1,4 +1,5 @@
-//! One program that renders in red, green and blue or in 31 bins of wavelengths, as one line says.
+//! This program renders either in red, green and blue or in 31 bins of wavelengths. One line, which imports
+//! the types, chooses between the two.
 //!
 //! ```text
 //! cargo run --example one_alias
@@ -9,7 +10,7 @@ use nanospectra::geometry::Direction;
 use nanospectra::matter::{Brdf, Microfacet, OrenNayar, TrowbridgeReitz};
 use nanospectra::radiometry::{Intensity, PerSr};
 
-/// Three floats: as fast as can be, and off where colors meet colors.
+/// Three floats are fastest, but inaccurate where colored light meets colored surfaces.
 #[allow(unused, reason = "the one that is not chosen")]
 mod in_rgb {
     use nanospectra::color::{RgbBands, Srgb};
@@ -18,7 +19,7 @@ mod in_rgb {
     pub type Eye = nanospectra::Observer<3, 3, nanospectra::Power, RgbBands<Srgb>>;
 }
 
-/// 31 bins of wavelengths.
+/// 31 bins of wavelengths are accurate there too, with ten times as many numbers.
 #[allow(unused, reason = "the one that is not chosen")]
 mod in_bins {
     pub type Light = nanospectra::Light<31>;
@@ -26,7 +27,7 @@ mod in_bins {
     pub type Eye = nanospectra::Observer<3, 31, nanospectra::Power>;
 }
 
-// The line. All that follows compiles for both.
+// This line chooses. Everything below it compiles for both.
 use in_bins::{Eye, Light, Reflectance};
 
 static EYE: Eye = Eye::standard();

@@ -1,6 +1,6 @@
-//! A paint, known by its reflectance, under daylight, an incandescent lamp and a fluorescent lamp: its CIELAB
-//! color under each, and how far the lamps move it from its color in daylight (CIEDE2000). For everyone who
-//! matches surfaces that must look right in the shop and at home.
+//! From the reflectance of a paint, this example computes its CIELAB color under daylight, an incandescent
+//! lamp and a fluorescent lamp, and how far each color is from that in daylight (CIEDE2000). It is for
+//! everyone who matches surfaces that must look right both in the shop and at home.
 //!
 //! `cargo run --release --example paint_under_lamps`
 
@@ -16,15 +16,15 @@ const PAINT: [f32; 31] = [
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // Beyond its ends a reflectance is best guessed to stay as it is.
+    // Outside the measured range, the best guess is that the reflectance stays as it is at the ends.
     let measured = Reflectance::<31, Nodes<400, 700>>::from_bins(PAINT);
     let paint: Fine<Factor> = measured.fine();
 
     let mut in_daylight: Option<Lab> = None;
-    // The chromaticity of each lamp, which is that of a white surface under it, as CIE 15:2018 lists it.
+    // CIE 15:2018 lists the chromaticity of each lamp, which is also that of a white surface under it.
     for (name, [x, y]) in [("D65", [0.3127, 0.3290]), ("A", [0.4476, 0.4074]), ("FL11", [0.3805, 0.3769])] {
         let lamp = light::named(name).ok_or("no such lamp")?;
-        // The eye in a room that is lit by the lamp; it reads reflectances, and white paper has Y = 100.
+        // This is the eye in a room that is lit by the lamp. It takes reflectances, and white has Y = 100.
         let eye = CIE_1931.under(&lamp).with_white_y(100.0);
         let white = Xyz::from(eye.sees(&Fine::flat(1.0)));
         let lab = Xyz::from(eye.sees(&paint)).lab(white).ok_or("the lamp is dark")?;

@@ -1,6 +1,6 @@
-//! An sRGB color becomes a smooth reflectance that has exactly this color in daylight; the reflectance is
-//! read back, and looked at under another lamp. For renderers and paint programs that have an RGB and need a
-//! spectrum.
+//! This example finds a smooth reflectance that has exactly a given sRGB color in daylight. It converts the
+//! reflectance back to sRGB, and computes how it looks under another lamp. It is for renderers and paint
+//! programs that have an RGB color and need a spectrum.
 //!
 //! `cargo run --release --example rgb_to_spectrum`
 
@@ -10,10 +10,11 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Sigmoid, Status, Viewing};
 use nanospectra::{Curve, Factor, Nodes, Observer, Reflectance};
 
-/// 31 bands, every 10 nm.
+/// There are 31 bands, every 10 nm.
 type Grid = Nodes<400, 700>;
 
-/// sRGB is seen under D65: who looks, under what light and on which bands. The compiler works it out.
+/// The eye in daylight (D65), under which sRGB is defined. The compiler computes it, as well as the two
+/// statics that follow.
 static IN_DAYLIGHT: Observer<3, 31, Factor, Grid> =
     CIE_1931.under(&D65.fine()).fold(Curve::Step).with_white_y(100.0);
 static VIEWING: Viewing<31, Grid> = Viewing::new(&IN_DAYLIGHT);
@@ -41,14 +42,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let lab = xyz.lab(white).ok_or("the lamp is dark")?;
     println!("under lamp A: L* {:.1}, a* {:.1}, b* {:.1}", lab.l, lab.a, lab.b);
 
-    // Exact: the same 8-bit code, by a reflectance that a real surface can have.
+    // The 8-bit code is the same again, and the reflectance is one that a real surface can have.
     assert_eq!((solved.status, back.encode().to_u8()), (Status::Exact, code));
     assert!(paint.values().iter().all(|share| (0.0..=1.0).contains(share)));
-    // IEC 61966-2-1: the luminance of an sRGB color is 0.2126 R + 0.7152 G + 0.0722 B, linear.
+    // By IEC 61966-2-1, the luminance of a linear sRGB color is 0.2126 R + 0.7152 G + 0.0722 B.
     let y = 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
     let [_, seen, _] = IN_DAYLIGHT.sees(&paint);
     assert!((seen - 100.0 * y).abs() < 1e-2);
-    // CIE 15:2018: illuminant A has XYZ 109.85, 100, 35.58.
+    // By CIE 15:2018, illuminant A has XYZ = 109.85, 100, 35.58.
     assert!((white.x - 109.85).abs() < 0.01 && (white.z - 35.58).abs() < 0.01);
     Ok(())
 }

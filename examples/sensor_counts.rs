@@ -1,6 +1,6 @@
-//! Counts of an eight-channel color sensor (AS7341) to illuminance, XYZ and CCT, in f32, with one reading
-//! under a lamp of known illuminance for a calibration. For firmware on a core with an FPU; see
-//! `sensor_counts_integer` for one without.
+//! This example converts the counts of an eight-channel color sensor (AS7341) to illuminance, XYZ and CCT, in
+//! f32. One reading under a lamp of known illuminance calibrates it. It is for firmware on a core with an
+//! FPU; for a core without one, see `sensor_counts_integer`.
 //!
 //! `cargo run --release --example sensor_counts`
 
@@ -11,18 +11,19 @@ use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 
 type Grid = Nodes<400, 700>;
 
-/// The chip by its data sheet; the measured responsivities of your own one are better.
+/// The responsivities of the chip by its data sheet. Those measured of your own chip are better.
 static CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 static EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 
-/// From counts to the smoothest spectrum behind them and on to XYZ: a matrix of 96 bytes, made by the
-/// compiler.
+/// A matrix of 96 bytes that converts counts to XYZ, by way of the smoothest spectrum that explains them. The
+/// compiler computes it.
 static TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
-/// Gain 16, registers ATIME 29 and ASTEP 599: 50 ms, and full scale is 18000 counts.
+/// The exposure: gain 16, and with the registers ATIME 29 and ASTEP 599 a time of 50 ms and a full scale of
+/// 18000 counts.
 static EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 
-/// Channels F1 to F8 under an incandescent lamp (CIE illuminant A) that a lux meter reads as 500 lx. These
-/// counts and the next are simulated, so that what the lamps are is known.
+/// The counts of channels F1 to F8 under an incandescent lamp (CIE illuminant A) that gives 500 lx by a lux
+/// meter. These counts and the next are simulated, so that the lamps are known exactly.
 const KNOWN: ([u16; 8], f32) = ([733, 1349, 2527, 3918, 5441, 7035, 10882, 13899], 500.0);
 /// The same under a white LED (CIE illuminant LED-B3) of 500 lx.
 const COUNTS: [u16; 8] = [416, 3675, 2876, 4434, 6022, 6825, 6864, 3069];
@@ -41,10 +42,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         xyz.y, xyz.x, xyz.y, xyz.z
     );
 
-    // Readings that say nothing about the light are errors and not colors.
+    // A reading that says nothing about the light is an error and not a color.
     let blinded = meter.xyz(&[18_000_u16; 8]);
     assert!(matches!(blinded, Err(ReadingError::Saturated { channels }) if channels.count() == 8));
-    // CIE 15:2018: LED-B3 has 4103 K, x = 0.3756, y = 0.3723. Eight channels tell it to 1 % or so.
+    // By CIE 15:2018, LED-B3 has 4103 K, x = 0.3756, y = 0.3723. Eight channels measure that to about 1 %.
     let xy = xyz.xy().ok_or("dark")?;
     assert!((xyz.y / 500.0 - 1.0).abs() < 0.01 && (cct_k / 4103.0 - 1.0).abs() < 0.01);
     assert!((xy.x - 0.3756).abs() < 0.002 && (xy.y - 0.3723).abs() < 0.002);

@@ -1,6 +1,6 @@
-//! Counts of an eight-channel color sensor (AS7341) to illuminance, CCT and Duv without one float at run
-//! time. For firmware on a core without an FPU (Cortex-M0, RV32IMAC), where floats need twenty times as many
-//! instructions.
+//! This example converts the counts of an eight-channel color sensor (AS7341) to illuminance, CCT and Duv
+//! without any float at run time. It is for firmware on a core without an FPU (Cortex-M0, RV32IMAC), where
+//! floats need twenty times as many instructions.
 //!
 //! `cargo run --release --example sensor_counts_integer`
 
@@ -11,17 +11,19 @@ use nanospectra::{Curve, Nodes, Observer, Power, const_unwrap};
 
 type Grid = Nodes<400, 700>;
 
-/// The chip by its data sheet, the eye, and the way from counts to XYZ; all floats end with the compiler.
+/// The chip by its data sheet, the eye, and the matrix that converts counts to XYZ. Only the compiler
+/// computes with these floats.
 const CHIP: Observer<8, 31, Power, Grid> = as7341::NOMINAL.fold(Curve::Step);
 const EYE: Observer<3, 31, Power, Grid> = CIE_1931.fold(Curve::Step);
 const TO_XYZ: Calibration<8> = const_unwrap!(Reconstruction::smooth(&CHIP, 0.95, 0.01)).seen_by(&EYE);
 
-/// Gain 16 and 50 ms; Y in lux by the factor that the example `sensor_counts` finds. What lies in flash is
-/// this.
+/// The meter, for gain 16 and 50 ms. The factor, which the example `sensor_counts` finds, makes Y illuminance
+/// in lux. This static is all that is in flash.
 static METER: FixedMeter<8> =
     FixedMeter::new(&as7341::exposure(16.0, 29, 599), &TO_XYZ.scaled(27.363_61)).unwrap();
 
-/// What firmware would call: lux, kelvins (if the light is white) and Duv in millionths.
+/// The function that firmware would call. It returns the illuminance in lux and, if the light is white, the
+/// CCT in kelvins and Duv in millionths.
 fn read(counts: &[u16; 8]) -> Result<(u32, Option<(u32, i32)>), ReadingError> {
     let xyz = METER.xyz(counts)?;
     let white = match xyz.cct() {
@@ -34,13 +36,14 @@ fn read(counts: &[u16; 8]) -> Result<(u32, Option<(u32, i32)>), ReadingError> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{} bytes of flash for the meter", size_of_val(&METER));
 
-    // Channels F1 to F8 under a white LED (CIE illuminant LED-B3) of 500 lx, simulated.
+    // These are simulated counts of channels F1 to F8 under a white LED (CIE illuminant LED-B3) of 500 lx.
     let (lux, white) = read(&[416, 3675, 2876, 4434, 6022, 6825, 6864, 3069])?;
     let (cct_k, duv_e6) = white.ok_or("this light is not white")?;
     println!("{lux} lx, CCT {cct_k} K, Duv {duv_e6} millionths");
 
     assert_eq!(read(&[0; 8]), Err(ReadingError::TooDark));
-    // CIE 15:2018: LED-B3 has 4103 K. Eight channels tell it to 1 % or so, and integers lose nothing more.
+    // By CIE 15:2018, LED-B3 has 4103 K. Eight channels measure that to about 1 %, and integers add no error
+    // that is visible beside it.
     assert!(lux.abs_diff(500) <= 5 && cct_k.abs_diff(4103) <= 41);
     Ok(())
 }

@@ -81,6 +81,9 @@
 //! Files, text and plots (the program `nanospectra-cli` has them), spectra whose size is known only at run time, `f64`
 //! at run time, and color appearance beyond what TM-30 needs.
 #![no_std]
+// On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating system,
+// which that label leaves out.
+#![cfg_attr(docsrs, feature(doc_cfg), doc(auto_cfg(hide(target_os = "none"))))]
 #![deny(missing_docs, unsafe_code)]
 
 mod grid;

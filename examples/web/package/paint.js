@@ -22,7 +22,7 @@ export class Paint extends Instrument {
     const state = this.wasm.upsample(...rgb, number, +(beyond === 'desaturate'));
     const out = this.out.slice(0, 86);
     if (!out.slice(0, 81).every(Number.isFinite) || !rgb.every(Number.isFinite)) {
-      throw new Error('too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces');
+      throw new Error('the numbers are too large, and the spectrum is not finite; give smaller numbers (0..1 for surfaces)');
     }
     const looks = ['D65', ...lights.filter((light) => String(light).toUpperCase() !== 'D65')].map((light) => {
       const source = this.lightOf(light);

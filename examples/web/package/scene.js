@@ -1,4 +1,5 @@
-// Light through what it meets. What may stand in a scene, and the words for what may not, are those of examples/cli/src/scene.
+// Follows light through a scene. What a scene may contain, and the messages for what it may not, are those of
+// examples/cli/src/scene.
 import { Instrument } from './instrument.js';
 import { hex, plain, single, singles } from './numbers.js';
 
@@ -6,7 +7,7 @@ const f = Math.fround;
 const RADIANS = f(f(Math.PI) / 180);
 const EYES = ['CIE 1931', 'CIE 1964'];
 const FACTORS = { must: [], may: ['flat', 'points', 'absorbance_per_cm', 'path_cm'] };
-/** What each kind of part is told by. */
+/** The fields of each kind of part. */
 const FIELDS = {
   filter: FACTORS,
   surface: FACTORS,
@@ -29,7 +30,7 @@ const DYES = [
 
 const within = (x, low, high) => x >= low && x <= high;
 
-/** Refuses a recipe that lacks a field or has one that nobody reads: a slip of the pen. */
+/** Refuses a recipe that lacks a field, or has one that does not belong there and may be a typing error. */
 function checkFields(written, { must, may }) {
   const lacking = must.find((field) => written?.[field] === undefined);
   if (lacking) throw new Error(`missing field \`${lacking}\``);
@@ -53,21 +54,21 @@ export class Scene {
     this.spectra = spectra;
     this.recipe = recipe;
     this.eye = EYES.indexOf(recipe.eye ?? 'CIE 1931');
-    if (this.eye < 0) throw new Error('no eye of this name; use "CIE 1931" or "CIE 1964"');
-    if (!recipe.part?.length) throw new Error('a scene without a part');
-    if (recipe.part.length > 16) throw new Error('more than 16 parts; make one of several filters');
+    if (this.eye < 0) throw new Error('there is no eye of this name; use "CIE 1931" or "CIE 1964"');
+    if (!recipe.part?.length) throw new Error('this is a scene without a part');
+    if (recipe.part.length > 16) throw new Error('the scene has more than 16 parts; combine several filters into one');
     this.build();
   }
 
   build() {
     const { spectra, recipe } = this;
-    // Until all parts are in, no scene is in memory: one may be refused.
+    // A part may be refused, so until all are accepted there is no scene in memory.
     spectra.currentScene = null;
     spectra.wasm.clear();
     this.parts = recipe.part.map((part) => {
       const kinds = KINDS.filter((kind) => part[kind] !== undefined);
       if (kinds.length !== 1) {
-        throw new Error(`a part is one thing; give one of ${KINDS.join(', ')}`);
+        throw new Error(`a part is of exactly one kind; give one of ${KINDS.join(', ')}`);
       }
       const [kind] = kinds,
         written = part[kind];
@@ -84,7 +85,7 @@ export class Scene {
     spectra.currentScene = this;
   }
 
-  /** Refuses a film at an angle beside something that tells directions of polarization apart. */
+  /** Refuses a film that light meets at an angle next to something that depends on polarization. */
   checkFilms() {
     let films = 0,
       directed = 0;
@@ -98,15 +99,15 @@ export class Scene {
       directed += oblique || ['mirror', 'polarizer', 'retarder'].includes(kind);
       if (films && directed > 1) {
         throw new Error(
-          'a film at an angle polarizes, which is not followed here beside a mirror, polarizer, retarder or ' +
-            'another such film; give angle_deg = 0, or put a surface between them',
+          'a film at an angle polarizes light, and this program does not follow that next to a mirror, polarizer, ' +
+            'retarder or another such film; give angle_deg = 0, or put a surface between them',
         );
       }
     }
   }
 
   /** @param {number} status of an export that adds a part */
-  check(status, advice = '; give [[nm, value], ..], nm increasing') {
+  check(status, advice = '; give [[nm, value], ..] with increasing wavelengths') {
     if (status === 0) return;
     if (status >= 65536) {
       const [bin, to] = this.spectra.out,
@@ -138,7 +139,7 @@ export class Scene {
 
   shares(points, at = 0) {
     const bad = points.find(([, value]) => !within(value, 0, 1));
-    if (bad) throw new Error(`${plain(bad[1])} at ${plain(bad[0])} nm is no share; give 0..1, not percent`);
+    if (bad) throw new Error(`${plain(bad[1])} at ${plain(bad[0])} nm is not a share of the light; give 0..1, not percent`);
     return this.spectra.write(points, at);
   }
 
@@ -146,19 +147,19 @@ export class Scene {
     const { spectra } = this,
       { flat, points, absorbance_per_cm: absorbance, path_cm: cm } = written ?? {};
     if ([flat, points, absorbance].filter((given) => given !== undefined).length !== 1) {
-      throw new Error('its share comes from one place; give one of flat, points, absorbance_per_cm');
+      throw new Error('a filter or a surface is given in exactly one way; give one of flat, points, absorbance_per_cm');
     }
     if (absorbance) {
-      if (cm === undefined) throw new Error('an absorbance without a length; give path_cm');
-      if (!within(cm, 0, 1e5)) throw new Error(`path_cm = ${plain(cm)} is no length; give 0..100000`);
+      if (cm === undefined) throw new Error('the absorbance needs the length of the path; give path_cm');
+      if (!within(cm, 0, 1e5)) throw new Error(`path_cm = ${plain(cm)} is out of range; give 0..100000`);
       this.check(
         spectra.wasm.absorber(spectra.write(absorbance), f(f(0.01) * f(cm)), matt),
         '; give absorbances of 0 or more',
       );
       return matt ? 'reflection' : 'Beer-Lambert';
     }
-    if (cm !== undefined) throw new Error('path_cm is for absorbance_per_cm; leave it out');
-    if (flat !== undefined && !within(flat, 0, 1)) throw new Error(`flat = ${plain(flat)} is no share; give 0..1`);
+    if (cm !== undefined) throw new Error('path_cm belongs to absorbance_per_cm, which is not given; leave it out');
+    if (flat !== undefined && !within(flat, 0, 1)) throw new Error(`flat = ${plain(flat)} is not a share of the light; give 0..1`);
     this.check(
       spectra.wasm.factors(
         this.shares(
@@ -191,27 +192,27 @@ export class Scene {
   }
 
   cos(deg = 0) {
-    if (!within(deg, 0, 90)) throw new Error(`angle_deg = ${plain(deg)} is no angle of incidence; give 0..90`);
+    if (!within(deg, 0, 90)) throw new Error(`angle_deg = ${plain(deg)} is not an angle of incidence; give 0..90`);
     return f(Math.cos(f(f(deg) * RADIANS)));
   }
 
   turns(deg = 0) {
-    if (!within(deg, -360, 360)) throw new Error(`axis_deg = ${plain(deg)} is no direction; give -360..360`);
+    if (!within(deg, -360, 360)) throw new Error(`axis_deg = ${plain(deg)} is out of range; give -360..360`);
     return f(f(deg) / 360);
   }
 
   film({ n, n_before: before = 1, n_behind: behind = 1, thickness_nm: nm, angle_deg: deg, transmitted = false }) {
     if (![before, n, behind].every((n) => within(n, 0.01, 100))) {
-      throw new Error('an index of refraction out of range; give 0.01..100');
+      throw new Error('an index of refraction is out of range; give 0.01..100');
     }
-    if (!within(nm, 0, 1e9)) throw new Error(`thickness_nm = ${plain(nm)} is no film; give 0..1000000000`);
+    if (!within(nm, 0, 1e9)) throw new Error(`thickness_nm = ${plain(nm)} is out of range; give 0..1000000000`);
     this.check(this.spectra.wasm.film(before, n, behind, nm, this.cos(deg), +transmitted));
     return 'interference';
   }
 
   mirror({ n, k = 0, angle_deg: angle, axis_deg: axis }) {
     if (!(within(n, 0.01, 100) && within(k, 0, 100))) {
-      throw new Error('an index of refraction out of range; give n = 0.01..100, k = 0..100');
+      throw new Error('the index of refraction is out of range; give n = 0.01..100, k = 0..100');
     }
     this.check(this.spectra.wasm.mirror(n, k, this.cos(angle), this.turns(axis)));
     return 'polarization';
@@ -219,41 +220,41 @@ export class Scene {
 
   polarizer({ axis_deg: axis, along = 1, across = 0 }) {
     if (![along, across].every((share) => within(share, 0, 1)))
-      throw new Error('along and across are shares; give 0..1');
+      throw new Error('along and across are shares of the light; give 0..1');
     this.check(this.spectra.wasm.polarizer(along, across, this.turns(axis)));
     return 'polarization';
   }
 
   retarder({ path_difference_nm: nm, axis_deg: axis }) {
-    if (!within(nm, 0, 1e5)) throw new Error(`path_difference_nm = ${plain(nm)} is no plate; give 0..100000`);
+    if (!within(nm, 0, 1e5)) throw new Error(`path_difference_nm = ${plain(nm)} is out of range; give 0..100000`);
     this.check(this.spectra.wasm.retarder(nm, this.turns(axis)));
     return 'polarization';
   }
 
-  /** The lamp into `curve`. @returns {string} its name */
+  /** Puts the lamp into `curve`. @returns {string} its name */
   lamp() {
     const { spectra } = this,
       { cie, blackbody_k: kelvin, points } = this.recipe.lamp ?? {};
     checkFields(this.recipe.lamp, LAMP);
     if ([cie, kelvin, points].filter((given) => given !== undefined).length !== 1) {
-      throw new Error('a lamp is one thing; give one of cie, blackbody_k, points');
+      throw new Error('a lamp is given in exactly one way; give one of cie, blackbody_k, points');
     }
     if (cie !== undefined) return spectra.named(cie, 'lamp').name;
     if (kelvin !== undefined) {
       if (!within(kelvin, 500, 1e6))
-        throw new Error(`blackbody_k = ${plain(kelvin)} does not shine for eyes; give 500 to 1000000 K`);
+        throw new Error(`blackbody_k = ${plain(kelvin)} is out of range; give 500 to 1000000 K`);
       spectra.wasm.black_body(kelvin);
       return `black body of ${plain(kelvin)} K`;
     }
     const dark = points.find(([, value]) => value < 0);
-    if (dark) throw new Error(`${plain(dark[1])} at ${plain(dark[0])} nm is no power; give 0 or more`);
-    this.check(spectra.wasm.interpolate(spectra.write(points), 0, 0), '; give wavelengths in nm, increasing');
+    if (dark) throw new Error(`${plain(dark[1])} at ${plain(dark[0])} nm is not a power; give 0 or more`);
+    this.check(spectra.wasm.interpolate(spectra.write(points), 0, 0), '; give increasing wavelengths in nm');
     return 'points';
   }
 
   /**
-   * The color, the spectra, the bill; `off` names parts (from 0) whose effects are switched off, `budget` is a
-   * CIEDE2000 within which effects are left out.
+   * The color, the spectra and the bill. `off` has the numbers (from 0) of parts whose effects are switched off;
+   * effects are left out as long as the color changes by no more than `budget` (CIEDE2000).
    * @param {{off?: number[], budget?: number | null}} [options]
    */
   answer({ off = [], budget = null } = {}) {
@@ -262,19 +263,19 @@ export class Scene {
     const lamp = this.lamp(),
       level = recipe.lamp.illuminance_lx;
     if (level !== undefined && !within(level, 1e-6, 1e9)) {
-      throw new Error(`illuminance_lx = ${plain(level)} is no level; give lux, 0.000001 to 1000000000`);
+      throw new Error(`illuminance_lx = ${plain(level)} is out of range; give 0.000001 to 1000000000 lux`);
     }
     if (budget !== null && !within(budget, 0, 1e6)) {
-      throw new Error(`${plain(budget)} is no color difference; give 0 or more, 1 is just noticed`);
+      throw new Error(`${plain(budget)} is not a color difference; give 0 or more (1 is just noticeable)`);
     }
     for (const k of off) {
       if (!(Number.isInteger(k) && k >= 0 && k < this.parts.length)) {
-        throw new Error(`off: no part ${k}; give 0..${this.parts.length - 1}`);
+        throw new Error(`off: there is no part ${k}; give 0..${this.parts.length - 1}`);
       }
     }
     const mask = off.reduce((bits, k) => bits | (1 << k), 0);
     if (spectra.wasm.answer(this.eye, level ?? 0, mask, budget ?? -1)) {
-      throw new Error('nothing visible; give a lamp with power in 360..830 nm');
+      throw new Error('nothing is visible of this lamp; give it power in 360..830 nm');
     }
     const out = spectra.out.slice(),
       look = out.subarray(162, 178),

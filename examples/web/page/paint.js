@@ -1,4 +1,4 @@
-// Paint: an RGB color, the spectra that have it, and what they look like under other lamps.
+// The tab of paint: an RGB color, spectra that have this color, and how they look under other lamps.
 import { ink } from './color.js';
 import { copy, figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
@@ -105,7 +105,7 @@ function work() {
   const status = {
     exact: 'has exactly this color',
     unreachable: 'no smooth reflectance has this color; this is the nearest found',
-    unphysical: 'leaves 0..1',
+    unphysical: 'has this color but is no reflectance, since it leaves 0..1',
     approximate: 'comes near this color',
   };
   view.status.textContent = `${chosen.method}: ${status[chosen.status]}, round trip ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;

@@ -1,4 +1,4 @@
-// Scenes: what light meets on its way, each effect a switch; the color, and what it costs.
+// The tab of scenes: what light meets on its way, with a switch for each effect, the color, and what it costs.
 import { ink } from './color.js';
 import { figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
@@ -6,7 +6,7 @@ import { fetched, lampNames, remember, state } from './session.js';
 
 let module, scenes, view, scene, answer;
 
-/** The parts that are off; a link may name some that this scene has not. */
+/** The parts that are switched off. (A link may name parts that this scene does not have.) */
 const switchedOff = () => (state.off ? state.off.split(',').map(Number).filter((k) => k < scene.parts.length) : []);
 
 function open() {
@@ -74,7 +74,7 @@ function work() {
   );
   view.verdict.textContent =
     switchedOff().length === 0
-      ? `${whole.walked.multiply_adds} multiply-adds walked, ${whole.folded.multiply_adds} once folded into the eye.`
+      ? `${whole.walked.multiply_adds} multiply-adds part by part, ${whole.folded.multiply_adds} as one matrix with the eye.`
       : `Leaving this out costs ${shown.delta_e2000.toFixed(2)} CIEDE2000 and saves ${whole.walked.multiply_adds - shown.multiply_adds} of ${whole.walked.multiply_adds} multiply-adds.`;
   answer.bill.forEach((line, k) => {
     const cells = view.bill.rows[k].cells;

@@ -374,7 +374,7 @@ test('samples that are no spectrum are an Error with the words of the crate', ()
   assert.throws(() => paint.upsample([NaN, 0, 0]), /not finite/);
   assert.throws(
     () => scene.scene({ lamp: { cie: 'A' }, part: [{ filter: { flat: 1.5 } }] }),
-    /flat = 1.5 is no share; give 0..1/,
+    /flat = 1.5 is not a share of the light; give 0..1/,
   );
   assert.throws(
     () => scene.scene({ lamp: { cie: 'moon' }, part: [{ filter: { flat: 0.5 } }] }).answer(),
@@ -416,8 +416,8 @@ test('a scene that is refused leaves the others as they were', () => {
   assert.throws(part({ filter: { flat: 0.5, path: 2 } }), /unknown field `path`/);
   assert.throws(part({ mirror: { n: 1.5 } }), /missing field `angle_deg`/);
   assert.throws(part({ dye: {} }), /missing field `reflectance`/);
-  assert.throws(part({ filter: null }), /its share comes from one place|missing/);
-  for (const off of [1, 32, -1, 0.5, NaN, '0']) assert.throws(() => vest.answer({ off: [off] }), /off: no part/);
+  assert.throws(part({ filter: null }), /is given in exactly one way|missing/);
+  for (const off of [1, 32, -1, 0.5, NaN, '0']) assert.throws(() => vest.answer({ off: [off] }), /off: there is no part/);
 });
 
 test('bands of an instrument are seen as by the crate, in both builds', () => {

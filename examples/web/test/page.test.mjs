@@ -205,7 +205,7 @@ check('a link that says what cannot be is a page that works', async () => {
     );
   }
   await page.open(`${root}#tab=scene&off=99`);
-  assert.match(await page.value("document.querySelector('#verdict').textContent"), /multiply-adds walked/);
+  assert.match(await page.value("document.querySelector('#verdict').textContent"), /multiply-adds part by part/);
   assert.equal((await fetch(`${root}%`)).status, 404);
 });
 

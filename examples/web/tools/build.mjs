@@ -141,7 +141,7 @@ export async function build() {
   rmSync(here('dist'), { recursive: true, force: true });
   cpSync(here('page'), here('dist/page'), { recursive: true });
   cpSync(here('package'), here('dist/nanospectra'), { recursive: true });
-  for (const license of ['LICENSE-MIT', 'LICENSE-APACHE'])
+  for (const license of ['LICENSE-MIT', 'LICENSE-APACHE', 'LICENSE-CC-BY-SA-4.0'])
     cpSync(here(`../../${license}`), here(`dist/nanospectra/${license}`));
   const sizes = {};
   const save = (name, bytes) => {

@@ -1,5 +1,6 @@
 //! What every change is checked with.
 
+use crate::docs;
 use crate::lane::Lane;
 use crate::shell::{Outcome, Shell};
 use crate::toolchain;
@@ -79,6 +80,8 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
             page(name, "-D warnings --document-private-items -A rustdoc::private_intra_doc_links")
         })
     });
+    lane.step("documentation of every public item", docs::check);
+    lane.step("documentation as docs.rs builds it", docs::labels::check);
 }
 
 /// Runs a command for every package by itself, and for the others too if it fails for one.

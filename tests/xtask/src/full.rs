@@ -9,6 +9,11 @@ use crate::workspace::{self, APART, Package};
 /// Of the library, each of which must build alone.
 const FEATURES: [&str; 6] = ["libm", "std", "simd", "micromath", "heapless", "defmt"];
 
+/// What goes to crates.io: the library first, since the program depends on it.
+const PUBLISHED: [&str; 2] = ["nanospectra", "nanospectra-cli"];
+
+const LICENSES: [&str; 3] = ["LICENSE-APACHE", "LICENSE-CC-BY-SA-4.0", "LICENSE-MIT"];
+
 pub fn run(lane: Lane) -> Outcome {
     // Nobody steps through these builds: a quarter less to compile.
     let mut lane = lane.with("CARGO_PROFILE_DEV_DEBUG", "0");
@@ -60,13 +65,24 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
         shell.run("cargo run --release")
     });
     lane.step("the packages are complete", |shell| {
-        // Cargo unpacks and builds the first for the second once for each version: what it kept of an earlier run
-        // is stale.
+        PUBLISHED.iter().try_for_each(|name| has_licenses(shell, name))?;
+        // Cargo unpacks and builds the first for the second once for each version: what it kept of an earlier
+        // run is stale.
         shell.bash(r#"rm -rf target/packaged "${CARGO_HOME:-$HOME/.cargo}"/registry/{src,cache}/*/nanospectra-[0-9]*"#)?;
         // Together, since the second depends on the first, which no registry has in this version.
         let shell = shell.again().with("CARGO_TARGET_DIR", "target/packaged");
-        shell.run("cargo package -p nanospectra -p nanospectra-cli --allow-dirty")
+        shell.run(&format!("cargo package -p {} --allow-dirty", PUBLISHED.join(" -p ")))
     });
+}
+
+/// The texts of the licenses go with a package: those of the code, and that of the CIE's tables.
+fn has_licenses(shell: &Shell, package: &str) -> Outcome {
+    let files = shell.output(&format!("cargo package --list --allow-dirty -p {package}"))?;
+    let lacks = |license: &&str| !files.lines().any(|file| file == *license);
+    match LICENSES.into_iter().find(lacks) {
+        Some(license) => Err(format!("the package {package} does not contain {license}")),
+        None => Ok(()),
+    }
 }
 
 /// Runs every bench once, which compares its results with those of peers.

@@ -3,6 +3,7 @@
 
 mod bless;
 mod check;
+mod docs;
 mod full;
 mod lane;
 mod shell;

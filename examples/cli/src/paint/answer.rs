@@ -1,4 +1,4 @@
-//! From a color to its spectrum, and what that looks like.
+//! Finds the spectrum of a color, and how it looks under lights.
 
 use crate::failure::{Failure, short};
 use crate::input::illuminants;
@@ -15,12 +15,13 @@ use nanospectra::{
     Curve, Factor, Fine, Grid, Interpolation, Nodes, Observer, Outside, Power, Reflectance, matter,
 };
 
-/// What all colors of a run are answered with.
+/// What is the same for all colors of a run.
 pub struct Job<'a> {
     args: &'a Args,
     colors: &'a [Color],
-    /// The light of the space, and the others to look under.
+    /// The white of the RGB space.
     white: Lamp,
+    /// The other lights under which spectra are shown.
     lamps: Vec<Lamp>,
 }
 
@@ -29,33 +30,33 @@ struct Lamp {
     power: Fine<Power>,
 }
 
-/// All there is to say about one color.
+/// Everything that is reported about one color.
 pub struct Answer {
     pub sample: Option<String>,
-    /// As it was given; linear with `--linear`.
+    /// The color as it was given; linear with `--linear`.
     pub rgb: [f32; 3],
     pub status: &'static str,
-    /// Of the way from gray to a color that was desaturated, 0..1.
+    /// The share of the way from gray to the color that is left, 0..1, if the color was desaturated.
     pub kept: Option<f32>,
-    /// (nm, share)
+    /// Pairs of a wavelength in nm and a reflectance.
     pub spectrum: Vec<(f32, f32)>,
-    /// For plots; zero outside the grid.
+    /// The spectrum on the 1 nm grid for plots, zero outside its own grid.
     pub curve: Fine<Factor>,
     pub roundtrip: [f32; 3],
     pub delta_e2000: f32,
-    /// The color that was asked for, as well as sRGB can show it.
+    /// The color that was asked for, in 8-bit sRGB and clipped to its gamut.
     pub asked: [u8; 3],
-    /// Under the white first.
+    /// How the spectrum looks under the white of the space, and then under the other lights.
     pub looks: Vec<Look>,
 }
 
 /// A surface under one light.
 pub struct Look {
     pub light: String,
-    /// Y = 100 for the perfect white.
+    /// Tristimulus values, with Y = 100 for the perfect white.
     pub xyz: Xyz,
     pub lab: Lab,
-    /// 8-bit sRGB, adapted to D65.
+    /// The color in 8-bit sRGB, adapted to D65.
     pub srgb: [u8; 3],
 }
 
@@ -79,13 +80,13 @@ impl<'a> Job<'a> {
 
 fn lamp(name: &str) -> Result<Lamp, Failure> {
     let (name, power) = illuminants::find(name, Interpolation::Linear).ok_or_else(|| {
-        let what = format!("no CIE illuminant; use one of {}", nanospectra::light::NAMES_IN_BRIEF);
+        let what = format!("this is not a CIE illuminant; use one of {}", nanospectra::light::NAMES_IN_BRIEF);
         Failure::of(format_args!("--light {}", short(name)), what)
     })?;
     Ok(Lamp { name, power })
 }
 
-/// The answers of a job on one grid, in order.
+/// Answers the colors of a job on one grid, in order.
 pub fn in_space<const N: usize, G: Grid>(job: &Job) -> Result<Vec<Answer>, Failure> {
     match job.args.space {
         Space::Srgb => answers::<N, G, Srgb>(job),
@@ -139,9 +140,10 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         let encoded = color.is_code || !self.linear;
         let rgb: Rgb<S> = if encoded { EncodedRgb::<S>::new(r, g, b).decode() } else { Rgb::new(r, g, b) };
         let (spectrum, status, kept) = self.spectrum(rgb);
-        // Beyond about 1e15 the transfer functions and the sums overflow.
+        // Above about 1e15 the transfer functions and the sums overflow.
         if !spectrum.values().iter().chain(&rgb.to_array()).all(|value| value.is_finite()) {
-            let what = "too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces";
+            let what = "the numbers are too large, and the spectrum is not finite; \
+                        give smaller numbers (0..1 for surfaces)";
             return Err(Failure::of(&color.place, what));
         }
         let given = |rgb: Rgb<S>| if self.linear { rgb.to_array() } else { rgb.encode().to_array() };
@@ -191,19 +193,19 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         Look { light: light.clone(), xyz: seen, lab, srgb }
     }
 
-    /// The perfect white under a light.
+    /// The color of the perfect white under a light.
     fn white(&self, k: usize) -> Xyz {
         Xyz::from(self.eyes[k].1.row_sums().map(|sum| sum as f32))
     }
 
-    /// What looks under D65 as `seen` does under a light.
+    /// Adapts a color that is seen under a light to D65.
     fn to_d65(&self, k: usize, seen: Xyz) -> Xyz {
         let adaptation = Adaptation::between::<Cat16>(self.white(k), Srgb::WHITE_XYZ);
         adaptation.map_or(seen, |adaptation| adaptation.apply(seen))
     }
 }
 
-/// Every fourth sample of CES99, 24 of them: encoded sRGB under D65.
+/// The encoded sRGB colors under D65 of 24 samples of CES99, which is every fourth.
 pub fn samples() -> Vec<Color> {
     let viewing: Viewing<81, Nodes<380, 780>> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
     let every_fourth = matter::CES.iter().zip(1..).step_by(4).take(24);

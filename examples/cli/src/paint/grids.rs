@@ -1,13 +1,15 @@
-//! The grids that this program is compiled for: how many bands and where are part of a spectrum's type.
+//! The grids that this program is compiled for. A grid is part of a spectrum's type: how many bands there
+//! are, and at which wavelengths.
 
-/// Makes, of lines like `nodes Nodes<400, 700> 31;`, the names and what picks the types for a name.
+/// From lines such as `nodes Nodes<400, 700> 31;`, makes the list of names and the function that chooses the
+/// types for a name.
 macro_rules! grids {
     ($($word:ident $layout:ident<$from:literal, $to:literal> $count:literal;)+) => {
-        /// As `--grid` takes them.
+        /// The names, as `--grid` takes them.
         pub const NAMES: &[&str] =
             &[$(concat!(stringify!($word), ":", $count, ",", $from, ",", $to)),+];
 
-        /// The answers on the grid called `name`, which is one of [`NAMES`].
+        /// Answers the colors on the grid with this name, which is one of [`NAMES`].
         pub fn answers(name: &str, job: &Job) -> Result<Vec<Answer>, Failure> {
             $(if name == concat!(stringify!($word), ":", $count, ",", $from, ",", $to) {
                 return in_space::<$count, $layout<$from, $to>>(job);
@@ -32,16 +34,19 @@ grids! {
     bins Bins<400, 700> 60;
 }
 
-/// `text` if it is one of [`NAMES`], for clap.
+/// Accepts one of [`NAMES`], as clap asks for it.
 pub fn known(text: &str) -> Result<String, String> {
     if NAMES.contains(&text) { Ok(text.to_owned()) } else { Err(refusal()) }
 }
 
-/// For `--help`.
+/// The text of `--help` on grids.
 pub fn help() -> String {
-    format!("Bands of the spectrum: points or bins, how many, from and to in nm. One of {}", NAMES.join(", "))
+    format!(
+        "The bands of the spectrum: nodes or bins, how many, and from where to where in nm. One of {}",
+        NAMES.join(", ")
+    )
 }
 
 fn refusal() -> String {
-    format!("a grid is part of a type, and compiled in are {}; use one of these", NAMES.join(" | "))
+    format!("this program is compiled for the grids {}; use one of these", NAMES.join(" | "))
 }

@@ -1,25 +1,25 @@
-//! Text to colors. Strict: whatever is not plainly a color is an error that says where it stands.
+//! Reads colors from text. Whatever is not plainly a color is an error that says where it stands.
 
 use crate::failure::{Failure, short};
 use crate::input::text;
 use std::path::Path;
 
-/// Three numbers and where they come from.
+/// A color as it was given: three numbers and where they come from.
 #[derive(Clone, Debug)]
 pub struct Color {
-    /// `stdin:3`, or how the word on the command line begins; for messages.
+    /// Where it was read, for messages: `stdin:3`, or how the word on the command line begins.
     pub place: String,
-    /// Its name, if it is a sample.
+    /// The name of the sample, if it is one of CES99.
     pub sample: Option<String>,
     pub numbers: [f32; 3],
-    /// From a code like #cc331a, which is encoded whatever the numbers are.
+    /// Whether it was a code such as #cc331a, which is encoded also with `--linear`.
     pub is_code: bool,
 }
 
-/// What to write instead.
+/// What messages say that one should write.
 const SO: &str = "write 0.8,0.2,0.1 or #cc331a";
 
-/// Every color of these words, in order; `-` stands for those of standard input.
+/// Reads every color of these words, in order. `-` stands for the colors of standard input.
 pub fn colors(words: &[String]) -> Result<Vec<Color>, Failure> {
     let mut colors = Vec::new();
     for word in words {
@@ -38,9 +38,11 @@ fn stdin() -> Result<Vec<Color>, Failure> {
     let mut colors = Vec::new();
     for (line, number) in text.lines().zip(1..) {
         let at = |what: String| Failure::at(&file, number, what);
-        // A comment would swallow all that follows.
+        // If lines ended with it, one comment would hide all the lines that follow.
         if line.contains('\r') {
-            return Err(at("a carriage return inside the line; save with LF or CRLF line ends".into()));
+            return Err(at(
+                "there is a carriage return inside the line; save the file with LF or CRLF line ends".into(),
+            ));
         }
         let line = without_comment(line);
         if !line.is_empty() {
@@ -48,12 +50,16 @@ fn stdin() -> Result<Vec<Color>, Failure> {
         }
     }
     if colors.is_empty() {
-        return Err(Failure::at(&file, 1, format_args!("no color in it; one a line, {SO}")));
+        return Err(Failure::at(
+            &file,
+            1,
+            format_args!("there is no color in it; give one on each line, and {SO}"),
+        ));
     }
     Ok(colors)
 }
 
-/// A comment is a '#' at the start of a word with a blank or nothing behind it; #cc331a is none.
+/// Removes a comment. It begins with a '#' that has nothing but blanks on either side, so #cc331a is none.
 fn without_comment(line: &str) -> &str {
     let blank = |c: Option<char>| c.is_none_or(char::is_whitespace);
     let start = line
@@ -67,7 +73,7 @@ fn color(text: &str, place: String) -> Result<Color, String> {
     let text = text.trim();
     let (numbers, is_code) = match text.strip_prefix('#') {
         Some(digits) => {
-            let what = || format!("'{}' is no code of 6 or 3 hexadecimal digits; {SO}", short(text));
+            let what = || format!("'{}' is not a code of 6 or 3 hexadecimal digits; {SO}", short(text));
             (code(digits).ok_or_else(what)?, true)
         }
         None => (numbers(text)?, false),
@@ -75,7 +81,7 @@ fn color(text: &str, place: String) -> Result<Color, String> {
     Ok(Color { place, sample: None, numbers, is_code })
 }
 
-/// `cc331a`, or `c31` for `cc3311`.
+/// The numbers of a code without its '#': `cc331a`, or `c31`, which stands for `cc3311`.
 fn code(digits: &str) -> Option<[f32; 3]> {
     if !digits.chars().all(|c| c.is_ascii_hexdigit()) {
         return None;
@@ -89,8 +95,8 @@ fn code(digits: &str) -> Option<[f32; 3]> {
     Some([r, g, b].map(|code| f32::from(code) / 255.0))
 }
 
-/// Three cells between commas, semicolons or blanks. A semicolon goes before a comma, which may also be
-/// somebody's decimal point (and is then refused as a number).
+/// Reads three numbers between commas, semicolons or blanks. If there are semicolons they are the separators,
+/// since a comma may then be a decimal point, which is refused.
 fn numbers(text: &str) -> Result<[f32; 3], String> {
     let mark = [';', ','].into_iter().find(|mark| text.contains(*mark));
     let cells: Vec<&str> = match mark {
@@ -100,8 +106,8 @@ fn numbers(text: &str) -> Result<[f32; 3], String> {
     let [r, g, b] = cells[..] else {
         return Err(match cells.len() {
             1 => format!("'{}' is not three numbers; {SO}", short(text)),
-            0 => format!("an empty color; {SO}"),
-            count => format!("{count} cells where a color has 3; {SO}"),
+            0 => format!("the color is empty; {SO}"),
+            count => format!("there are {count} cells, and a color has 3; {SO}"),
         });
     };
     Ok([number(r)?, number(g)?, number(b)?])
@@ -112,9 +118,9 @@ fn number(cell: &str) -> Result<f32, String> {
     match cell.parse::<f32>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err(format!("{said} is not a finite number; {SO}")),
-        Err(_) if cell.is_empty() => Err(format!("an empty cell; {SO}")),
+        Err(_) if cell.is_empty() => Err(format!("a cell is empty; {SO}")),
         Err(_) if cell.replacen(',', ".", 1).parse::<f32>().is_ok() => {
-            Err(format!("'{said}'; write the decimal point as '.'"))
+            Err(format!("'{said}' is not a number; write the decimal point as '.'"))
         }
         Err(_) => Err(format!("'{said}' is not a number; {SO}")),
     }

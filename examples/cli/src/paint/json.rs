@@ -1,4 +1,4 @@
-//! An answer as one JSON object: every number with all the digits it has.
+//! An answer as one JSON object, in which every number has all its digits.
 
 use crate::output::json::{numbers, single};
 use crate::output::tint;
@@ -7,7 +7,7 @@ use crate::paint::args::Args;
 use crate::usage::name_of;
 use serde_json::{Value, json};
 
-/// One line, keys in the order of the documentation.
+/// The object for one color, with its keys in the order that `--help` lists them.
 pub fn object(args: &Args, answer: &Answer) -> Value {
     let mut object = json!({
         "rgb": numbers(answer.rgb),

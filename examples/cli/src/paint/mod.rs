@@ -1,7 +1,7 @@
-//! RGB to spectrum, looked at again.
+//! The command `paint`, which finds spectra for RGB colors.
 //!
-//! A word or a line becomes a color ([`input`]), that an [`answer`] on one of the [`grids`], and that a
-//! report: [`text`], [`json`] or a [`picture`].
+//! [`input`] reads a word or a line as a color. [`answer`] finds its spectrum, on one of the [`grids`], and
+//! how it looks under lights. [`text`], [`json`] and [`picture`] report the answer.
 
 mod answer;
 mod args;
@@ -18,7 +18,7 @@ use crate::output::terminal;
 use answer::Job;
 use std::path::PathBuf;
 
-/// All colors are answered before any is printed: an error leaves no half report behind.
+/// Runs the command. All colors are answered before any is printed, so that an error leaves no half report.
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     let colors = if args.colors.is_empty() { answer::samples() } else { input::colors(&args.colors)? };

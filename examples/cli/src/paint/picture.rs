@@ -1,4 +1,5 @@
-//! One SVG for each color: its spectrum in the colors of the wavelengths, and swatches under the lights.
+//! Draws one SVG for each color, with its spectrum in the colors of the wavelengths and with swatches of how
+//! it looks under the lights.
 
 use crate::failure::Failure;
 use crate::output::tint;
@@ -13,20 +14,21 @@ use std::path::{Path, PathBuf};
 use svg::Document;
 use svg::node::element::Group;
 
-/// Above the first swatch, and from one to the next.
+/// Where the first swatch begins, from the top.
 const SWATCHES: f32 = 90.0;
+/// From one swatch to the next.
 const SPACING: f32 = 90.0;
 
-/// New files, and the directories made for them. Both are taken back unless they are kept.
+/// New files and the directories made for them. Both are removed again unless [`Pictures::keep`] is called.
 pub struct Pictures {
-    /// In the order of the answers.
+    /// The files, in the order of the answers.
     pub paths: Vec<PathBuf>,
-    /// The inner ones first.
+    /// The new directories, each before the one that it lies in.
     directories: Vec<PathBuf>,
 }
 
 impl Pictures {
-    /// The run has done all it was asked for.
+    /// Keeps the files, since the run has succeeded.
     pub fn keep(mut self) {
         self.paths.clear();
         self.directories.clear();
@@ -34,7 +36,7 @@ impl Pictures {
 }
 
 impl Drop for Pictures {
-    /// What cannot be removed stays: why the run fails is said already.
+    /// Removes the files. One that cannot be removed stays, since the run already has a failure to report.
     fn drop(&mut self) {
         for path in &self.paths {
             let _ = fs::remove_file(path);
@@ -45,7 +47,7 @@ impl Drop for Pictures {
     }
 }
 
-/// Draws every answer into a new file of `directory`, which is made if missing.
+/// Draws every answer into a new file in `directory`, which is made if it is missing.
 pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Pictures, Failure> {
     let missing = directory.ancestors().take_while(|path| path.symlink_metadata().is_err());
     let directories = missing.map(Path::to_path_buf).collect();
@@ -60,7 +62,7 @@ pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Pic
             directory.join(format!("{number:0digits$}-{}.svg", &hex[1..]))
         })
         .collect();
-    // Before the first is written, so that no half set of pictures is left behind.
+    // This comes before the first file is written, so that no half set of pictures is left behind.
     paths.iter().try_for_each(|path| check_free(path, "name another directory"))?;
     for (path, answer) in paths.into_iter().zip(answers) {
         let file = create(&path, "directory")?;
@@ -86,7 +88,8 @@ fn page(args: &Args, answer: &Answer) -> Document {
     picture::page(height, &format!("{sample}{r} {g} {b}"), &subtitle).add(curve(answer)).add(looks(answer))
 }
 
-/// The curve through the centers of the bands; the axis holds 0..1, and what is beyond if something is.
+/// The curve through the centers of the bands. The axis holds 0..1, and more if the spectrum leaves that
+/// range.
 fn curve(answer: &Answer) -> Group {
     let filled = &answer.spectrum;
     let low = filled.iter().map(|(_, share)| *share).fold(0.0, f32::min);
@@ -96,7 +99,7 @@ fn curve(answer: &Answer) -> Group {
     spectrum::draw(area, ["wavelength / nm", "reflectance"], &spectrum)
 }
 
-/// What was asked for, and below it what the spectrum looks like under each light.
+/// The color that was asked for, and below it how the spectrum looks under each light.
 fn looks(answer: &Answer) -> Group {
     let asked = ("asked for".to_owned(), answer.asked, String::new());
     let under =

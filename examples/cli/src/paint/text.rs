@@ -1,4 +1,4 @@
-//! Answers for people.
+//! Reports answers as text.
 
 use crate::output::Report;
 use crate::paint::answer::{Answer, Look};
@@ -7,10 +7,10 @@ use crate::usage::name_of;
 use nanospectra::{Fine, Power};
 use std::path::Path;
 
-/// Where the values stand.
+/// The column at which values begin.
 const INDENT: usize = 14;
 
-/// One color with its spectrum; with escapes for color if `truecolor`.
+/// Reports one color and its spectrum. With `truecolor` the text has escape sequences for colors.
 pub fn report(args: &Args, answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(INDENT, truecolor);
     let numbers = if args.linear { "linear" } else { "encoded" };
@@ -36,16 +36,16 @@ pub fn report(args: &Args, answer: &Answer, picture: Option<&Path>, truecolor: b
     report.into_text()
 }
 
-/// All samples, a line each: a picture made of swatches where there is color.
+/// Reports all samples, each on one line, with swatches if the terminal has colors.
 pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
     let mut chart = Report::new(INDENT, truecolor);
     let lights: Vec<&str> =
         answers.first().map_or(Vec::new(), |a| a.looks.iter().map(|look| look.light.as_str()).collect());
     chart.line(format_args!(
-        "24 samples of CES99, every fourth, by their colors in sRGB under D65 alone: {} on\n\
-         {} makes a spectrum of each, here seen under {} (CIE 1931,\n\
-         swatches adapted to D65 by CAT16). What the measured samples would look like there is another\n\
-         matter. For a color of your own: nanospectra paint 0.8,0.2,0.1; --help says the rest.\n",
+        "These are 24 samples of CES99 (every fourth), known only by their sRGB colors under D65. The method\n\
+         {} on {} finds a spectrum with that color, which is shown under\n\
+         {} (CIE 1931, swatches adapted to D65 by CAT16). The measured samples may look\n\
+         different there. To see a color of your own: nanospectra paint 0.8,0.2,0.1. For more: --help.\n",
         name_of(args.method),
         args.grid,
         lights.join(", "),
@@ -66,7 +66,7 @@ pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
     chart.into_text()
 }
 
-/// The status, how it came about, and what it costs.
+/// The status, what was done about a color that no sigmoid has, and the color difference that is left.
 pub fn verdict(answer: &Answer) -> String {
     let how = match answer.kept {
         Some(kept) => format!(" (desaturate: {:.1} % of the way from gray)", 100.0 * kept),
@@ -76,7 +76,7 @@ pub fn verdict(answer: &Answer) -> String {
     format!("{}{how}, CIEDE2000 {:.5}", answer.status, answer.delta_e2000)
 }
 
-/// XYZ and Lab under a light.
+/// The XYZ and Lab coordinates under a light.
 pub fn coordinates(look: &Look) -> String {
     let [x, y, z] = look.xyz.to_array();
     let lab = look.lab;

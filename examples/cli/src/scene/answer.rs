@@ -1,4 +1,4 @@
-//! A scene, looked at.
+//! Computes what a scene looks like, and what it costs.
 
 use crate::failure::Failure;
 use crate::scene::file::Recipe;
@@ -14,15 +14,16 @@ use nanospectra::{Curve, FineObserver, Grid, Light, Observer, Power};
 /// The most parts that a scene may have.
 const PARTS: usize = 16;
 
-/// All there is to say about a scene.
+/// Everything that is reported about a scene.
 pub struct Answer {
     pub name: String,
     pub title: String,
     pub lamp: String,
     pub eye: &'static str,
     pub grid: String,
-    /// (nm, power), as the lamp sends it and as it reaches the eye.
+    /// The light of the lamp, as pairs of a wavelength in nm and a power.
     pub lit: Vec<(f32, f32)>,
+    /// The light behind the last part, which reaches the eye.
     pub leaving: Vec<(f32, f32)>,
     pub look: Look,
     pub lamp_srgb: [u8; 3],
@@ -34,42 +35,42 @@ pub struct Answer {
     pub budget: Option<Budget>,
 }
 
-/// A color with the lamp as white.
+/// A color, with the lamp as white.
 #[derive(Clone, Copy)]
 pub struct Look {
-    /// Y = 100 for the bare lamp.
+    /// Tristimulus values, with Y = 100 for the bare lamp.
     pub xyz: Xyz,
-    /// None of black.
+    /// The chromaticity, which black does not have.
     pub xy: Option<Xy>,
     pub lab: Lab,
-    /// 8-bit sRGB, adapted to D65.
+    /// The color in 8-bit sRGB, adapted to D65.
     pub srgb: [u8; 3],
-    /// No sRGB display shows it: a component was below 0 or above 1.
+    /// Whether the color is outside sRGB, so that a component was below 0 or above 1.
     pub is_clipped: bool,
 }
 
-/// With units.
+/// Numbers with units, for a lamp with an illuminance.
 pub struct Absolute {
     pub illuminance_lx: f32,
     pub irradiance_w_m2: f32,
     pub exitance_lm_m2: f32,
     pub exitance_w_m2: f32,
-    /// cd/m2 and W/m2/sr, behind what is matt.
+    /// Luminance in cd/m2 and radiance in W/(m2 sr), if the last part is matt.
     pub radiance: Option<[f32; 2]>,
 }
 
-/// A chip in place of the eye.
+/// What a sensor chip in place of the eye receives.
 pub struct Sensor {
     pub name: String,
     pub peaks_nm: Vec<f32>,
-    /// Irradiance weighted by the channel's responsivity, which is 1 at its peak; in W/m2 if the lamp has a
-    /// level.
+    /// For each channel, the irradiance weighted by its responsivity, which is 1 at its peak. It is in W/m2
+    /// if the lamp has an illuminance.
     pub channels: Vec<f32>,
-    /// The same over that of the bare lamp; none where that is dark.
+    /// The same divided by the value for the bare lamp, if that is not 0.
     pub of_lamp: Vec<Option<f32>>,
 }
 
-/// A part on the bill.
+/// The line of the bill for one part.
 pub struct Line {
     pub name: String,
     pub kind: &'static str,
@@ -80,7 +81,7 @@ pub struct Line {
     pub left_out: bool,
 }
 
-/// What `--budget` came to.
+/// The result of `--budget`.
 pub struct Budget {
     pub delta_e: f32,
     pub cost_delta_e: f32,
@@ -89,7 +90,7 @@ pub struct Budget {
     pub multiply_adds: usize,
 }
 
-/// An eye and the white it is adapted to.
+/// An eye, a lamp and the white that the eye is adapted to.
 struct Viewing<const N: usize, G> {
     eye: Observer<3, N, Power, G>,
     lamp: Light<N, G>,
@@ -108,7 +109,7 @@ impl<const N: usize, G: Grid> Viewing<N, G> {
             xy: seen.xy(),
             lab: seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN)),
             srgb: rgb.clip().rgb.encode().to_u8(),
-            // A step of an 8-bit code is 3e-4 or more.
+            // One step of an 8-bit code is 3e-4 or more.
             is_clipped: rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part)),
         }
     }
@@ -118,7 +119,7 @@ impl<const N: usize, G: Grid> Viewing<N, G> {
         parts: impl Iterator<Item = nanospectra::path::Part<'a, N, G>>,
     ) -> Scene<'a, N, PARTS, G> {
         let mut scene = Scene::new();
-        // The number of parts is checked before.
+        // The number of parts has been checked, so there is room.
         for part in parts {
             let _ = scene.push(part);
         }
@@ -126,7 +127,7 @@ impl<const N: usize, G: Grid> Viewing<N, G> {
     }
 }
 
-/// The answer to a scene on the grid `G`, called `grid`.
+/// Answers a scene on the grid `G`, whose name is `grid`.
 pub fn answer_on<const N: usize, G: Grid>(
     recipe: &Recipe,
     grid: &str,
@@ -136,7 +137,10 @@ pub fn answer_on<const N: usize, G: Grid>(
     let (eye, eye_name) = eye(recipe)?;
     let written = &recipe.scene.part;
     if let Some(extra) = written.get(PARTS) {
-        return Err(recipe.wrong(extra, format_args!("more than {PARTS} parts; make one of several filters")));
+        return Err(recipe.wrong(
+            extra,
+            format_args!("the scene has more than {PARTS} parts; combine several filters into one"),
+        ));
     }
     let parts = written.iter().map(|part| Matter::<N, G>::of(recipe, part)).collect::<Result<Vec<_>, _>>()?;
 
@@ -145,20 +149,20 @@ pub fn answer_on<const N: usize, G: Grid>(
     let lit: Light<N, G> = lamp.power.resample();
     let v: Observer<1, N, Power, G> = V_PHOTOPIC.fold(Curve::Spline);
     let bare = Irradiance::new(lit).luminous_by(&v).value().0;
-    // Scaled as the grid reads it, so that what was asked for is what is told.
+    // The lamp is scaled by its illuminance on the grid, so that the report shows what the file asks for.
     let lit = lamp.illuminance_lx.map_or(lit, |asked| lit * (asked / bare));
     let eye: Observer<3, N, Power, G> = eye.fold(Curve::Spline);
     let white = Xyz::from(eye.sees(&lit));
-    // (Nothing of Z is left of a red lamp.)
+    // (Only Y is checked, since Z of a red lamp can be 0.)
     if !(bare > 0.0 && (1e-30..=1e30).contains(&white.y)) {
-        let what = format!("the lamp is dark on {grid}; give it power at those wavelengths");
+        let what = format!("the lamp is dark on {grid}; give it power at the wavelengths of that grid");
         return Err(recipe.wrong(&recipe.scene.lamp, what));
     }
     let viewing = Viewing { white, eye, lamp: lit };
     let scene = viewing.scene(parts.iter().map(Matter::part));
     let leaving = scene.leaving_polarized(&lit);
     let found = budget.map(|delta_e| (delta_e, scene.within_budget(&viewing.eye, &lit, delta_e)));
-    // The three rows of the eye.
+    // The price of the three rows of the eye.
     let reading = Price { multiply_adds: 3 * N, bytes: 12 * N, ..Price::NONE };
     let is_matt = parts.iter().rfind(|part| !part.is_sheet()).is_some_and(|part| part.is_matt);
     Ok(Answer {
@@ -237,7 +241,7 @@ fn eye(recipe: &Recipe) -> Result<(&'static FineObserver<3>, &'static str), Fail
     match at.get_ref().as_str() {
         "CIE 1931" => Ok((&CIE_1931, "CIE 1931")),
         "CIE 1964" => Ok((&CIE_1964, "CIE 1964")),
-        _ => Err(recipe.wrong(at, "no eye of this name; use \"CIE 1931\" or \"CIE 1964\"")),
+        _ => Err(recipe.wrong(at, "there is no eye of this name; use \"CIE 1931\" or \"CIE 1964\"")),
     }
 }
 
@@ -252,7 +256,7 @@ fn sensor<const N: usize, G: Grid>(
         let known = chip::ALL.iter().filter(|chip| chip.peak_nm(0).is_some());
         let names = known.map(|chip| format!("\"{}\"", chip.name)).collect::<Vec<_>>().join(", ");
         return Err(
-            recipe.wrong(at, format_args!("no sensor of this name; use one of {names} (nominal channels)"))
+            recipe.wrong(at, format_args!("no sensor of this name has nominal channels; use one of {names}"))
         );
     };
     let alone = |channel: usize| -> Option<(f32, [f32; 2])> {

@@ -4,7 +4,7 @@ use crate::failure::{Failure, short};
 use crate::scene::file::{self, Recipe};
 use std::path::Path;
 
-/// Name and text.
+/// The names and the texts of the scenes.
 const SCENES: [(&str, &str); 6] = [
     ("paper", include_str!("../../data/scenes/paper.toml")),
     ("vest", include_str!("../../data/scenes/vest.toml")),
@@ -14,13 +14,13 @@ const SCENES: [(&str, &str); 6] = [
     ("window", include_str!("../../data/scenes/window.toml")),
 ];
 
-/// The text of a bundled scene.
+/// The text of the scene with this name.
 pub fn toml(name: &str) -> Result<&'static str, Failure> {
     let scene = SCENES.iter().find(|(known, _)| *known == name);
     scene.map(|(_, text)| *text).ok_or_else(|| unknown(name))
 }
 
-/// A bundled scene, or the file of that name.
+/// Reads a scene that comes with the program, or a file if the word ends in .toml.
 pub fn find(word: &str) -> Result<Recipe, Failure> {
     let path = Path::new(word);
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
@@ -30,19 +30,22 @@ pub fn find(word: &str) -> Result<Recipe, Failure> {
     file::parse(&format!("{word}.toml"), word, Path::new("."), text)
 }
 
-/// A line each.
+/// The names and titles of all scenes, each on one line.
 pub fn list() -> Result<String, Failure> {
     let mut list = String::new();
     for (name, text) in SCENES {
         let recipe = file::parse(&format!("{name}.toml"), name, Path::new("."), text)?;
         list += &format!("  {name:<10}{}\n", recipe.scene.title);
     }
-    Ok(
-        list + "\nnanospectra scene NAME answers one; nanospectra scene --print NAME > mine.toml starts one of your own.\n"
-    )
+    Ok(list
+        + "\nTo follow light through one of them: nanospectra scene NAME\n\
+                To start a scene of your own: nanospectra scene --print NAME > mine.toml\n")
 }
 
 fn unknown(name: &str) -> Failure {
     let names = SCENES.map(|(name, _)| name).join(", ");
-    Failure::of(short(name), format_args!("no scene of this name; use {names}, or a file that ends in .toml"))
+    Failure::of(
+        short(name),
+        format_args!("there is no scene of this name; use {names}, or a file that ends in .toml"),
+    )
 }

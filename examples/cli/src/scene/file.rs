@@ -1,4 +1,4 @@
-//! What may stand in a scene's TOML, and where in it something is wrong.
+//! Reads a scene from TOML, and says where in it something is wrong.
 
 use crate::failure::{Failure, printable};
 use crate::input::text;
@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
-/// A scene as it was written, and what is needed to say where.
+/// A scene as it was written, with what is needed to say where something is wrong.
 pub struct Recipe {
     pub name: String,
     pub scene: Scene,
@@ -17,6 +17,7 @@ pub struct Recipe {
     text: String,
 }
 
+/// The TOML document.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
@@ -29,7 +30,7 @@ pub struct Scene {
     pub part: Vec<Spanned<Part>>,
 }
 
-/// One of the first four, and how much of it.
+/// A lamp. It has one of the first four fields, and perhaps an illuminance.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Lamp {
@@ -40,10 +41,10 @@ pub struct Lamp {
     pub illuminance_lx: Option<f32>,
 }
 
-/// [[nm, value], ..]
+/// A table `[[nm, value], ..]`.
 pub type Points = Vec<Sample>;
 
-/// [nm, value], and not a column more.
+/// A row `[nm, value]` of a table, which has exactly two numbers.
 #[derive(Clone, Copy, Deserialize)]
 #[serde(try_from = "Vec<f32>")]
 pub struct Sample {
@@ -57,17 +58,17 @@ impl TryFrom<Vec<f32>> for Sample {
     fn try_from(row: Vec<f32>) -> Result<Self, String> {
         match row[..] {
             [nm, value] => Ok(Sample { nm, value }),
-            _ => Err(format!("a row of points has 2 numbers, [nm, value], and not {}", row.len())),
+            _ => Err(format!("a row of points has 2 numbers, [nm, value], but this one has {}", row.len())),
         }
     }
 }
 
-/// As the library takes them.
+/// The points as pairs, which is how the library takes them.
 pub fn pairs(points: &Points) -> Vec<(f32, f32)> {
     points.iter().map(|sample| (sample.nm, sample.value)).collect()
 }
 
-/// One of the kinds.
+/// A part. It has a name, if it is given one, and exactly one of the other fields.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
@@ -81,7 +82,8 @@ pub struct Part {
     pub retarder: Option<Retarder>,
 }
 
-/// A transmittance or a reflectance by one of these; `path_cm` belongs to the absorbance.
+/// A transmittance or a reflectance, which is given by one of these fields. `path_cm` belongs to the
+/// absorbance.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Factors {
@@ -151,13 +153,13 @@ fn one() -> f32 {
     1.0
 }
 
-/// One or more.
+/// Reads the parts, of which there must be at least one.
 fn parts<'de, D: Deserializer<'de>>(toml: D) -> Result<Vec<Spanned<Part>>, D::Error> {
     let parts = Vec::deserialize(toml)?;
-    if parts.is_empty() { Err(D::Error::custom("a scene without a part")) } else { Ok(parts) }
+    if parts.is_empty() { Err(D::Error::custom("this is a scene without a part")) } else { Ok(parts) }
 }
 
-/// The scene in a file.
+/// Reads the scene in a file.
 pub fn read(path: &Path) -> Result<Recipe, Failure> {
     let (file, text) = text::read(path)?;
     let name = text::stem(path).unwrap_or_else(|| file.clone());
@@ -165,7 +167,7 @@ pub fn read(path: &Path) -> Result<Recipe, Failure> {
     parse(&file, &name, folder, &text)
 }
 
-/// The scene in a text; `file` is its name for messages.
+/// Reads the scene in a text. `file` is its name for messages.
 pub fn parse(file: &str, name: &str, folder: &Path, text: &str) -> Result<Recipe, Failure> {
     let scene = toml::from_str(text).map_err(|error| {
         let line = line(text, error.span());
@@ -175,19 +177,19 @@ pub fn parse(file: &str, name: &str, folder: &Path, text: &str) -> Result<Recipe
     Ok(Recipe { name: name.into(), scene, file: file.into(), folder: folder.into(), text: text.into() })
 }
 
-/// The line where a span begins, counted from 1.
+/// The line in which a span begins, counted from 1.
 fn line(text: &str, span: Option<Range<usize>>) -> usize {
     let before = span.and_then(|span| text.get(..span.start)).unwrap_or_default();
     before.matches('\n').count() + 1
 }
 
 impl Recipe {
-    /// A failure at something that was written.
+    /// A failure at something that is written in the scene.
     pub fn wrong<T>(&self, at: &Spanned<T>, what: impl std::fmt::Display) -> Failure {
         Failure::at(&self.file, line(&self.text, Some(at.span())), what)
     }
 
-    /// A file named in the scene.
+    /// The path of a file that the scene names.
     pub fn beside(&self, path: &Path) -> PathBuf {
         self.folder.join(path)
     }

@@ -1,4 +1,4 @@
-//! An answer as one JSON object: every number with all the digits it has.
+//! An answer as one JSON object, in which every number has all its digits.
 
 use crate::output::json::{numbers, single};
 use crate::output::tint;
@@ -6,7 +6,7 @@ use crate::scene::answer::{Absolute, Answer, Budget, Line, Sensor};
 use nanospectra::path::Price;
 use serde_json::{Value, json};
 
-/// One line, keys in the order of the documentation.
+/// The object for a scene, with its keys in the order that `--help` lists them.
 pub fn object(answer: &Answer) -> Value {
     let lab = answer.look.lab;
     json!({

@@ -1,4 +1,4 @@
-//! The parts of a scene on a grid: numbers, and what they are without their effect.
+//! The parts of a scene on a grid, and what replaces them when their effect is left out.
 
 use crate::failure::Failure;
 use crate::input::table;
@@ -8,18 +8,18 @@ use nanospectra::path::{IntoPart, Part};
 use nanospectra::{Grid, Light, Quantity, Reflectance, Spectrum};
 use toml::Spanned;
 
-/// A part by itself.
+/// A part of a scene.
 pub struct Matter<const N: usize, G> {
     pub name: String,
     pub kind: &'static str,
-    /// What it does to light, for bills.
+    /// What it does to light, for the bill.
     pub effect: &'static str,
     pub is_matt: bool,
     what: What<N, G>,
 }
 
 enum What<const N: usize, G> {
-    /// A factor, and what is there without its effect.
+    /// A factor for each band, and the factors that replace them without the effect.
     Plain {
         factors: Reflectance<N, G>,
         without: Reflectance<N, G>,
@@ -31,12 +31,12 @@ enum What<const N: usize, G> {
 }
 
 impl<const N: usize, G: Grid> Matter<N, G> {
-    /// Light that is matt in front of it is matt behind it.
+    /// Whether light that is matt in front of the part is also matt behind it.
     pub fn is_sheet(&self) -> bool {
         matches!(self.kind, "filter" | "polarizer" | "retarder")
     }
 
-    /// As a part of a scene.
+    /// The part as the library takes it.
     pub fn part(&self) -> Part<'_, N, G> {
         match &self.what {
             What::Plain { factors, .. } if self.is_matt => Part::Surface(factors),
@@ -48,8 +48,8 @@ impl<const N: usize, G: Grid> Matter<N, G> {
         }
     }
 
-    /// Of a plain factor, what a scene has in its place without it. (Other parts have an effect to leave
-    /// out.)
+    /// What replaces plain factors in a scene without them. The other parts have an effect that the library
+    /// leaves out.
     pub fn replacement(&self) -> Option<Part<'_, N, G>> {
         match &self.what {
             What::Plain { without, .. } if self.is_matt => Some(Part::Surface(without)),
@@ -58,7 +58,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
         }
     }
 
-    /// From what was written.
+    /// Makes the part from what is written in the scene.
     pub fn of(recipe: &Recipe, at: &Spanned<Written>) -> Result<Self, Failure> {
         let written = at.get_ref();
         let wrong = |what: String| recipe.wrong(at, what);
@@ -72,8 +72,8 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             polarizer.is_some(),
             retarder.is_some(),
         ];
-        let several =
-            "a part is one thing; give one of filter, surface, dye, film, mirror, polarizer, retarder";
+        let several = "a part is of exactly one kind; \
+                       give one of filter, surface, dye, film, mirror, polarizer, retarder";
         if kinds.into_iter().filter(|given| *given).count() != 1 {
             return Err(recipe.wrong(at, several));
         }
@@ -96,7 +96,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
             ("film", "interference", false, film_of(film).map_err(wrong)?)
         } else if let Some(mirror) = mirror {
             if !((0.01..=100.0).contains(&mirror.n) && (0.0..=100.0).contains(&mirror.k)) {
-                let what = "an index of refraction out of range; give n = 0.01..100, k = 0..100";
+                let what = "the index of refraction is out of range; give n = 0.01..100, k = 0..100";
                 return Err(recipe.wrong(at, what));
             }
             let angle = angle(mirror.angle_deg).map_err(wrong)?;
@@ -107,7 +107,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
         } else if let Some(polarizer) = polarizer {
             let [along, across] = [polarizer.along, polarizer.across];
             if ![along, across].iter().all(|share| (0.0..=1.0).contains(share)) {
-                return Err(wrong("along and across are shares; give 0..1".into()));
+                return Err(wrong("along and across are shares of the light; give 0..1".into()));
             }
             let [along, across] = [along, across].map(Reflectance::flat);
             let axis = axis(polarizer.axis_deg).map_err(wrong)?;
@@ -116,7 +116,7 @@ impl<const N: usize, G: Grid> Matter<N, G> {
         } else if let Some(retarder) = retarder {
             let (nm, axis) = (retarder.path_difference_nm, axis(retarder.axis_deg).map_err(wrong)?);
             if !(0.0..=1e5).contains(&nm) {
-                return Err(wrong(format!("path_difference_nm = {nm} is no plate; give 0..100000")));
+                return Err(wrong(format!("path_difference_nm = {nm} is out of range; give 0..100000")));
             }
             let retarder = Retarder::from_path_difference(nm, axis / 360.0);
             ("retarder", "polarization", false, What::Retarder(retarder))
@@ -128,8 +128,9 @@ impl<const N: usize, G: Grid> Matter<N, G> {
     }
 }
 
-/// Refuses a film that is met at an angle beside something that tells directions of polarization apart: the
-/// film would, and is a plain factor here. What scatters lies between them or not.
+/// Refuses a film that light meets at an angle next to something that depends on polarization. Such a film
+/// polarizes light, but is a plain factor here. A part that scatters between the two makes the light
+/// unpolarized again.
 pub fn check_films<const N: usize, G: Grid>(recipe: &Recipe, parts: &[Matter<N, G>]) -> Result<(), Failure> {
     let written = &recipe.scene.part;
     let is_oblique =
@@ -145,8 +146,8 @@ pub fn check_films<const N: usize, G: Grid>(recipe: &Recipe, parts: &[Matter<N, 
         {
             return Err(recipe.wrong(
                 *at,
-                "a film at an angle polarizes, which is not followed here beside a mirror, polarizer, retarder or \
-                 another such film; give angle_deg = 0, or put a surface between them",
+                "a film at an angle polarizes light, and this program does not follow that next to a mirror, \
+                 polarizer, retarder or another such film; give angle_deg = 0, or put a surface between them",
             ));
         }
     }
@@ -165,15 +166,23 @@ fn factors_of<const N: usize, G: Grid>(
     let wrong = |what: String| recipe.wrong(at, what);
     let path_m = match (factors.path_cm, &factors.absorbance_per_cm) {
         (Some(cm), Some(_)) if (0.0..=1e5).contains(&cm) => 0.01 * cm,
-        (Some(cm), Some(_)) => return Err(wrong(format!("path_cm = {cm} is no length; give 0..100000"))),
-        (None, Some(_)) => return Err(wrong("an absorbance without a length; give path_cm".into())),
-        (Some(_), None) => return Err(wrong("path_cm is for absorbance_per_cm; leave it out".into())),
+        (Some(cm), Some(_)) => return Err(wrong(format!("path_cm = {cm} is out of range; give 0..100000"))),
+        (None, Some(_)) => {
+            return Err(wrong("the absorbance needs the length of the path; give path_cm".into()));
+        }
+        (Some(_), None) => {
+            return Err(wrong(
+                "path_cm belongs to absorbance_per_cm, which is not given; leave it out".into(),
+            ));
+        }
         (None, None) => 0.0,
     };
     let Factors { flat, points, csv, ces, absorbance_per_cm, .. } = factors;
     match (flat, points, csv, ces, absorbance_per_cm) {
         (Some(share), None, None, None, None) if (0.0..=1.0).contains(share) => Ok(Reflectance::flat(*share)),
-        (Some(share), None, None, None, None) => Err(wrong(format!("flat = {share} is no share; give 0..1"))),
+        (Some(share), None, None, None, None) => {
+            Err(wrong(format!("flat = {share} is not a share of the light; give 0..1")))
+        }
         (None, Some(points), None, None, None) => shares(points).map_err(wrong),
         (None, None, Some(path), None, None) => {
             let path = recipe.beside(path);
@@ -183,7 +192,7 @@ fn factors_of<const N: usize, G: Grid>(
         }
         (None, None, None, Some(number), None) => {
             let sample = number.checked_sub(1).and_then(|k| CES.get(k));
-            let none = || wrong(format!("ces = {number} is none of them; give 1..99"));
+            let none = || wrong(format!("there is no sample with ces = {number}; give 1..99"));
             Ok(sample.ok_or_else(none)?.resample())
         }
         (None, None, None, None, Some(points)) => {
@@ -193,7 +202,9 @@ fn factors_of<const N: usize, G: Grid>(
             Ok(glass.transmittance(path_m))
         }
         _ => Err(wrong(
-            "its share comes from one place; give one of flat, points, csv, ces, absorbance_per_cm".into(),
+            "a filter or a surface is given in exactly one way; \
+             give one of flat, points, csv, ces, absorbance_per_cm"
+                .into(),
         )),
     }
 }
@@ -201,10 +212,10 @@ fn factors_of<const N: usize, G: Grid>(
 fn film_of<const N: usize, G: Grid>(film: &Film) -> Result<What<N, G>, String> {
     let indices = [film.n_before, film.n, film.n_behind];
     if !indices.iter().all(|n| (0.01..=100.0).contains(n)) {
-        return Err("an index of refraction out of range; give 0.01..100".into());
+        return Err("an index of refraction is out of range; give 0.01..100".into());
     }
     if !(0.0..=1e9).contains(&film.thickness_nm) {
-        return Err(format!("thickness_nm = {} is no film; give 0..1000000000", film.thickness_nm));
+        return Err(format!("thickness_nm = {} is out of range; give 0..1000000000", film.thickness_nm));
     }
     let cos = angle(film.angle_deg)?.to_radians().cos();
     let share = |thickness_nm| {
@@ -218,7 +229,7 @@ fn angle(deg: f32) -> Result<f32, String> {
     if (0.0..=90.0).contains(&deg) {
         Ok(deg)
     } else {
-        Err(format!("angle_deg = {deg} is no angle of incidence; give 0..90"))
+        Err(format!("angle_deg = {deg} is not an angle of incidence; give 0..90"))
     }
 }
 
@@ -226,19 +237,19 @@ fn axis(deg: f32) -> Result<f32, String> {
     if (-360.0..=360.0).contains(&deg) {
         Ok(deg)
     } else {
-        Err(format!("axis_deg = {deg} is no direction; give -360..360"))
+        Err(format!("axis_deg = {deg} is out of range; give -360..360"))
     }
 }
 
-/// Shares of the light, held beyond the ends.
+/// Reads shares of the light. Beyond its ends a table keeps its last values.
 fn shares<const N: usize, G: Grid>(points: &Points) -> Result<Reflectance<N, G>, String> {
     if let Some(Sample { nm, value }) = points.iter().find(|sample| !(0.0..=1.0).contains(&sample.value)) {
-        return Err(format!("{value} at {nm} nm is no share; give 0..1, not percent"));
+        return Err(format!("{value} at {nm} nm is not a share of the light; give 0..1, not percent"));
     }
     samples(points)
 }
 
 fn samples<Q: Quantity, const N: usize, G: Grid>(points: &Points) -> Result<Spectrum<Q, N, G>, String> {
     Spectrum::from_samples(&file::pairs(points))
-        .map_err(|error| format!("{error}; give [[nm, value], ..], nm increasing"))
+        .map_err(|error| format!("{error}; give [[nm, value], ..] with increasing wavelengths"))
 }

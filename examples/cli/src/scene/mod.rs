@@ -1,7 +1,8 @@
-//! A lamp, what its light meets, and what an eye or a chip makes of it.
+//! The command `scene`, which follows light from a lamp through what it meets to an eye or a sensor chip.
 //!
-//! A text ([`mod@file`]: TOML, [`bundled`] or the user's) becomes [`matter`] on one of the [`grids`], that a
-//! scene and an [`answer`], and that a report: [`text`], [`json`] or a [`picture`].
+//! [`mod@file`] reads a scene from TOML, which is [`bundled`] or the user's. Its lamp and its parts
+//! ([`matter`]) become a scene of the library on one of the [`grids`], and [`answer`] computes what it looks
+//! like. [`text`], [`json`] and [`picture`] report the answer.
 
 pub mod answer;
 mod args;
@@ -19,7 +20,7 @@ pub use args::Args;
 use crate::failure::Failure;
 use crate::output::terminal;
 
-/// Answers a scene, or names those there are.
+/// Runs the command: answers a scene, or lists those that come with the program.
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     if let Some(name) = &args.print {

@@ -1,4 +1,4 @@
-//! The picture of a scene: the light before and after, what it looks like, and the bill.
+//! Draws a scene: the light of the lamp and the light behind the last part, its color, and the bill.
 
 use crate::failure::{Failure, printable};
 use crate::output::tint;
@@ -11,13 +11,15 @@ use std::path::{Path, PathBuf};
 use svg::Document;
 use svg::node::element::Group;
 
-/// Where the bill begins, and from one line to the next.
+/// Where the bill begins, from the top.
 const BILL: f32 = 520.0;
+/// From one line to the next.
 const SPACING: f32 = 26.0;
-/// The columns of the bill: part, effect, multiply-adds, bytes, without it, patch.
+/// Where the columns of the bill begin: part, effect, multiply-adds, bytes, difference without it, patch.
 const COLUMNS: [f32; 6] = [30.0, 250.0, 470.0, 560.0, 600.0, 780.0];
 
-/// Draws into a new file: `path` if it ends in .svg, else one in that directory, which is made if missing.
+/// Draws into a new file. It is `path` if that ends in .svg, and else a file in that directory, which is made
+/// if it is missing.
 pub fn save(path: &Path, answer: &Answer) -> Result<PathBuf, Failure> {
     let path = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
         path.to_owned()
@@ -41,7 +43,7 @@ fn page(answer: &Answer) -> Document {
         .add(bill(answer))
         .add(notes.into_iter().enumerate().fold(Group::new(), |group, (k, cells)| {
             let y = end + SPACING * (k + 1) as f32;
-            // The title, and eight columns behind it.
+            // A title, and up to eight columns behind it.
             cells.iter().enumerate().fold(group, |group, (column, cell)| {
                 let x = if column == 0 { COLUMNS[0] } else { 150.0 + 100.0 * column as f32 };
                 group.add(label(x, y, cell).set("fill", if column == 0 { FAINT } else { INK }))
@@ -49,7 +51,7 @@ fn page(answer: &Answer) -> Document {
         }))
 }
 
-/// Below the bill: what `--budget` came to, and the chip.
+/// The rows below the bill: the result of `--budget`, and the channels of the sensor.
 fn notes(answer: &Answer) -> Vec<Vec<String>> {
     let mut notes = Vec::new();
     if let Some(budget) = &answer.budget {
@@ -63,7 +65,7 @@ fn notes(answer: &Answer) -> Vec<Vec<String>> {
     notes
 }
 
-/// The lamp as a line, what leaves in the colors of the wavelengths.
+/// The light behind the last part, filled with the colors of the wavelengths, and that of the lamp as a line.
 fn spectra(answer: &Answer) -> Group {
     let all = answer.lit.iter().chain(&answer.leaving);
     let high = all.map(|(_, power)| *power).fold(f32::MIN_POSITIVE, f32::max);
@@ -73,7 +75,7 @@ fn spectra(answer: &Answer) -> Group {
     spectrum::draw(area, ["wavelength / nm   (dashed: the lamp)", power], &spectrum)
 }
 
-/// The lamp's patch, that of what leaves, and the numbers.
+/// A patch with the color of the lamp, one with that of the light behind the last part, and the numbers.
 fn looks(answer: &Answer) -> Group {
     let mut group = Group::new();
     let patches =
@@ -97,7 +99,7 @@ fn looks(answer: &Answer) -> Group {
     group
 }
 
-/// A line for each part, with what the scene looks like without it.
+/// The bill: a line for each part, with the color that the scene has without it.
 fn bill(answer: &Answer) -> Group {
     let heads = ["part", "effect", "multiply-adds", "bytes", "without it", "with, without"];
     let mut group = row(0, heads.map(String::from), FAINT);

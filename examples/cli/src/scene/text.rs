@@ -1,4 +1,4 @@
-//! Answers for people.
+//! Reports an answer as text.
 
 use crate::failure::printable;
 use crate::output::Report;
@@ -7,7 +7,7 @@ use nanospectra::path::Price;
 use nanospectra::{Fine, Interpolation, Light, Power};
 use std::path::Path;
 
-/// All of it; with escapes for color if `truecolor`.
+/// Reports a scene. With `truecolor` the text has escape sequences for colors.
 pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(16, truecolor);
     let [title, lamp] = [&answer.title, &answer.lamp].map(|name| printable(name));
@@ -20,7 +20,10 @@ pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> Strin
         report.row(label, value);
     }
     if let Some(sensor) = &answer.sensor {
-        report.row("sensor", format_args!("{}; irradiance by the responsivity of a channel:", sensor.name));
+        report.row(
+            "sensor",
+            format_args!("{}; irradiance weighted by the responsivity of a channel:", sensor.name),
+        );
         for (label, cells) in channels(sensor, answer.absolute.is_some()) {
             let cells: String = cells.iter().map(|cell| format!(" {cell:>9}")).collect();
             report.row(&format!("  {label}"), cells);
@@ -50,18 +53,18 @@ fn bill(report: &mut Report, answer: &Answer) {
     }
 }
 
-/// What all of it costs.
+/// The prices of the whole scene: part by part (`walked`), and as one matrix (`folded`).
 pub fn totals(answer: &Answer) -> [(&'static str, Price); 2] {
-    [("walked, with lamp and eye", answer.walked), ("folded into the eye", answer.folded)]
+    [("part by part, with lamp and eye", answer.walked), ("as one matrix, with the eye", answer.folded)]
 }
 
-/// What fits its column.
+/// Shortens a name to the width of its column.
 pub fn short_name(name: &str) -> String {
     let name = printable(name);
     if name.chars().count() > 22 { name.chars().take(21).chain(['…']).collect() } else { name }
 }
 
-/// XYZ, xy, Lab and the luminous factor.
+/// The rows for XYZ, xy, Lab and the luminous factor.
 pub fn coordinates(look: &Look) -> Vec<(&'static str, String)> {
     let [x, y, z] = look.xyz.to_array();
     let xy = look.xy.map_or("none, black".into(), |xy| format!("{:.4} {:.4}", xy.x, xy.y));
@@ -74,7 +77,8 @@ pub fn coordinates(look: &Look) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The rows of a chip: peaks, shares of the bare lamp's and, with a level, watts.
+/// The rows of a sensor: the peaks of its channels, their values relative to the bare lamp and, if the lamp
+/// has an illuminance, in W/m2.
 pub fn channels(sensor: &Sensor, is_absolute: bool) -> Vec<(&'static str, Vec<String>)> {
     let share = |share: &Option<f32>| share.map_or("none".into(), |share| format!("{:.2}%", 100.0 * share));
     let mut rows = vec![
@@ -87,12 +91,12 @@ pub fn channels(sensor: &Sensor, is_absolute: bool) -> Vec<(&'static str, Vec<St
     rows
 }
 
-/// What to say behind the code of a color that displays do not have.
+/// What follows the code of a color that is outside sRGB.
 pub fn clipped(look: &Look) -> &'static str {
     if look.is_clipped { "  clipped: outside sRGB" } else { "" }
 }
 
-/// What `--budget` came to, without its color.
+/// The result of `--budget`, without the color.
 pub fn verdict(budget: &Budget) -> String {
     let within = format!("within {} CIEDE2000: ", budget.delta_e);
     let effects = match budget.left_out.len() {
@@ -104,7 +108,7 @@ pub fn verdict(budget: &Budget) -> String {
     format!("{within}{effects} left out, {cost_delta_e:.3} CIEDE2000 in all, {multiply_adds} multiply-adds")
 }
 
-/// Photometric and radiometric numbers with their units.
+/// The rows of photometric and radiometric numbers, with units.
 pub fn levels(absolute: &Absolute) -> Vec<(&'static str, String)> {
     let Absolute { illuminance_lx, irradiance_w_m2, exitance_lm_m2, exitance_w_m2, .. } = *absolute;
     let [lx, falling] = [illuminance_lx, irradiance_w_m2].map(digits);
@@ -120,12 +124,12 @@ pub fn levels(absolute: &Absolute) -> Vec<(&'static str, String)> {
     levels
 }
 
-/// Without a minus before what is printed as zero.
+/// Removes the minus sign from a number that would be printed as -0.00.
 fn tidy(value: f32) -> f32 {
     if value.abs() < 0.005 { 0.0 } else { value }
 }
 
-/// A number with four digits or more, plain unless it is tiny.
+/// Writes a number with at least four digits, and with an exponent only if it is tiny.
 fn digits(value: f32) -> String {
     let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 9.0);
     if value == 0.0 {
@@ -137,7 +141,7 @@ fn digits(value: f32) -> String {
     }
 }
 
-/// For plots: the bands joined, on 1 nm.
+/// The spectrum on the 1 nm grid for plots, with straight lines from band to band.
 fn curve(spectrum: &[(f32, f32)]) -> Fine<Power> {
     Fine::interpolated(spectrum, Interpolation::Linear).unwrap_or(Light::flat(0.0))
 }

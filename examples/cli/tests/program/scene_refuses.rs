@@ -39,8 +39,8 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[[part]]\nfilter.flat = \"half\"\n", 5, "invalid type"),
     ("[[part]]\nfilter.flat = 0,5\n", 5, "expected newline"),
     ("[[part]\nfilter.flat = 0.5\n", 4, "]"),
-    ("[[part]]\nfilter.flat = 0.5\n\n[[part]]\nname = \"b\"\nfilter.flat = 1.5\n", 7, "1.5 is no share"),
-    ("[[part]]\nfilter.flat = nan\n", 4, "no share"),
+    ("[[part]]\nfilter.flat = 0.5\n\n[[part]]\nname = \"b\"\nfilter.flat = 1.5\n", 7, "1.5 is not a share"),
+    ("[[part]]\nfilter.flat = nan\n", 4, "not a share"),
     ("[[part]]\nfilter.points = [[500, 50], [600, 60]]\n", 4, "not percent"),
     ("[[part]]\nfilter.points = [[600, 0.5], [500, 0.5]]\n", 4, "not above the one before"),
     ("[[part]]\nfilter.points = [[600, 0.5]]\n", 4, "fewer than 2"),
@@ -51,15 +51,15 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[[part]]\nfilter.absorbance_per_cm = [[400, 1], [700, 1]]\n", 4, "path_cm"),
     ("[[part]]\nfilter = { flat = 0.5, path_cm = 1 }\n", 4, "path_cm"),
     ("[[part]]\nfilter = { absorbance_per_cm = [[400, -1], [700, 1]], path_cm = 1 }\n", 4, "absorb"),
-    ("[[part]]\nfilter = { absorbance_per_cm = [[400, 1], [700, 1]], path_cm = -1 }\n", 4, "no length"),
-    ("[[part]]\nfilm = { n = 1.33, thickness_nm = -1 }\n", 4, "no film"),
+    ("[[part]]\nfilter = { absorbance_per_cm = [[400, 1], [700, 1]], path_cm = -1 }\n", 4, "path_cm = -1"),
+    ("[[part]]\nfilm = { n = 1.33, thickness_nm = -1 }\n", 4, "thickness_nm = -1"),
     ("[[part]]\nfilm = { n = 0, thickness_nm = 1 }\n", 4, "refraction"),
     ("[[part]]\nfilm = { n = 1.33, thickness_nm = 1, angle_deg = 91 }\n", 4, "angle of incidence"),
     ("[[part]]\nmirror = { n = 1.33 }\n", 5, "angle_deg"),
     ("[[part]]\nmirror = { n = 1.33, k = -1, angle_deg = 0 }\n", 4, "refraction"),
     ("[[part]]\npolarizer = { axis_deg = 0, along = 2 }\n", 4, "along and across"),
-    ("[[part]]\npolarizer.axis_deg = inf\n", 4, "no direction"),
-    ("[[part]]\nretarder = { path_difference_nm = -1, axis_deg = 0 }\n", 4, "no plate"),
+    ("[[part]]\npolarizer.axis_deg = inf\n", 4, "axis_deg = inf"),
+    ("[[part]]\nretarder = { path_difference_nm = -1, axis_deg = 0 }\n", 4, "path_difference_nm = -1"),
     (
         "[[part]]\n[part.dye]\nreflectance = [[400, 0.5], [700, 0.5]]\nabsorption = [[400, 0.9], [700, 0]]\n\
          emission = [[500, 1], [600, 1]]\nquantum_yield = 0.9\n",
@@ -87,17 +87,17 @@ fn a_bad_part_ends_with_one_line_that_says_where() {
 const BAD_LAMPS: &[(&str, &str)] = &[
     ("", "one of cie"),
     ("cie = \"D65\"\nblackbody_k = 2856", "one of cie"),
-    ("cie = \"moonlight\"", "'moonlight' is no CIE illuminant"),
-    ("blackbody_k = 0", "does not shine"),
-    ("points = [[400, 1], [500, -1]]", "no power"),
-    ("points = [[400, 0], [500, 0]]", "nothing visible"),
-    ("points = [[900, 1], [1000, 1]]", "nothing visible"),
+    ("cie = \"moonlight\"", "'moonlight' is not a CIE illuminant"),
+    ("blackbody_k = 0", "blackbody_k = 0 is out of range"),
+    ("points = [[400, 1], [500, -1]]", "not a power"),
+    ("points = [[400, 0], [500, 0]]", "nothing is visible"),
+    ("points = [[900, 1], [1000, 1]]", "nothing is visible"),
     ("points = [[790, 1], [830, 1]]", "dark on nodes:81,380,780"),
     ("points = [[790, 1], [830, 1]]\nilluminance_lx = 100", "dark on nodes:81,380,780"),
     ("points = [[400, 1e34], [700, 1e34]]", "out of range"),
     ("points = [[400, 1e-37], [700, 1e-37]]", "out of range"),
-    ("cie = \"D65\"\nilluminance_lx = 0", "no level"),
-    ("cie = \"D65\"\nilluminance_lx = inf", "no level"),
+    ("cie = \"D65\"\nilluminance_lx = 0", "illuminance_lx = 0 is out of range"),
+    ("cie = \"D65\"\nilluminance_lx = inf", "illuminance_lx = inf is out of range"),
 ];
 
 #[test]
@@ -146,8 +146,8 @@ fn what_is_not_there_is_named() {
     SCENE.refuses(&["moon"], "moon: ", "paper, vest");
     SCENE.refuses(&["--print", "moon"], "moon: ", "paper, vest");
     SCENE.refuses(&["not-there.toml"], "not-there.toml: ", "no such file");
-    SCENE.refuses(&["vest", "--budget", "-1"], "--budget: ", "no color difference");
-    SCENE.refuses(&["vest", "--budget", "nan"], "--budget: ", "no color difference");
+    SCENE.refuses(&["vest", "--budget", "-1"], "--budget: ", "not a color difference");
+    SCENE.refuses(&["vest", "--budget", "nan"], "--budget: ", "not a color difference");
     SCENE.refuses(&["vest", "--budget", "much"], "scene: ", "'much' for '--budget <DE>': not a number");
     SCENE.refuses(&["--json"], "scene: ", "--list");
     SCENE.refuses(&["vest", "--list"], "scene: ", "cannot be used");
