@@ -6,12 +6,13 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where the chart is that README.md shows.
-const CHART: &str = "examples/cost/data/frontier.svg";
+/// The pictures of the guide. README.md shows them too.
+const CHAIN: &str = "src/guide/chain.svg";
+const FRONTIER: &str = "src/guide/frontier.svg";
 const README: &str = "README.md";
 
 /// Each file, and its text as it should be.
-pub type Made = [(&'static str, String); 2];
+pub type Made = [(&'static str, String); 3];
 
 /// From the repository's root.
 pub fn in_repository(path: &str) -> PathBuf {
@@ -21,7 +22,11 @@ pub fn in_repository(path: &str) -> PathBuf {
 /// What the record makes of them.
 pub fn of(record: &Value) -> Result<Made, Failure> {
     let readme = read(README)?;
-    Ok([(CHART, picture::frontier(record)), (README, readme::rewritten(&readme, record)?)])
+    Ok([
+        (CHAIN, picture::chain::chain()),
+        (FRONTIER, picture::frontier::frontier(record)),
+        (README, readme::rewritten(&readme, record)?),
+    ])
 }
 
 pub fn save(made: &Made) -> Result<(), Failure> {

@@ -78,16 +78,6 @@ pub fn choices(report: &Value) -> Vec<Choice> {
         .collect()
 }
 
-/// The choices for all lamps of tables that no other beats, from cheap to dear.
-pub fn front<'a>(report: &Value, choices: &'a [Choice]) -> Vec<&'a Choice> {
-    let rows = rows(report, "frontier").iter().filter(|row| text(row, "lamps") == "lamps");
-    rows.filter_map(|row| {
-        let bands = text(row, "bands").parse().ok()?;
-        choices.iter().find(|choice| choice.is(text(row, "range"), text(row, "scheme"), bands))
-    })
-    .collect()
-}
-
 /// The rows of a table; none if the report does not have it.
 pub fn rows<'a>(report: &'a Value, table: &str) -> &'a [Value] {
     report["tables"][table]["rows"].as_array().map_or(&[], |rows| rows)
