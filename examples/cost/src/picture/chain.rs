@@ -16,7 +16,7 @@ const NAME: &str = "ns-chain";
 const SPECTRUM: &str = "ns-chain-spectrum";
 
 const COLORS: [Color; 3] =
-    [("x", "#a84600", "#ff9e64"), ("y", "#00775a", "#3fd0a0"), ("z", "#0060a8", "#6cb6ff")];
+    [("x", "#a84600", "#ff9e64"), ("y", "#00775a", "#3fd0a0"), ("z", "#0060a8", "#58a6ff")];
 
 /// The wavelengths that are drawn, in nm.
 const FROM: u16 = 380;
@@ -98,7 +98,7 @@ impl Panel {
     fn frame(self, class: &str) -> Group {
         let Panel { x, y, width, height } = self;
         let frame = Rectangle::new().set("x", x).set("y", y).set("width", width).set("height", height);
-        let frame = filled(frame, class).set("fill-opacity", 0.1).set("stroke", "currentColor");
+        let frame = filled(frame, class).set("fill-opacity", 0.07).set("stroke", "currentColor");
         let strip = Rectangle::new().set("x", x).set("y", self.bottom() + 3.0).set("width", width);
         Group::new()
             .add(frame.set("rx", 3).set("stroke-opacity", 0.7))

@@ -16,7 +16,7 @@ const TOP: f64 = 68.0;
 const BOTTOM: f64 = 404.0;
 
 /// The colors of this picture alone.
-const COLORS: [Color; 2] = [("folded", "#0060a8", "#6cb6ff"), ("seen", "#a34500", "#ffae7a")];
+const COLORS: [Color; 2] = [("folded", "#0060a8", "#58a6ff"), ("seen", "#a34500", "#ffae7a")];
 
 /// A color difference of about this much, in CIEDE2000, is just visible.
 const VISIBLE: f64 = 1.0;

@@ -25,7 +25,7 @@ const COLORS: [Color; 4] = [
     ("page", "#ffffff", "#0d1117"),
     ("ink", "#1f2328", "#f0f6fc"),
     ("faint", "#57606a", "#b1bac4"),
-    ("violet", "#7c3aed", "#c9a6ff"),
+    ("violet", "#7c3aed", "#dfc4ff"),
 ];
 
 /// A picture with nothing on it yet. Its background is filled where the picture is an image; on a page of
