@@ -6,20 +6,20 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The pictures of the guide. README.md shows them too.
+/// The pictures of the guide, which README.md shows too.
 const CHAIN: &str = "src/guide/chain.svg";
 const FRONTIER: &str = "src/guide/frontier.svg";
 const README: &str = "README.md";
 
-/// Each file, and its text as it should be.
+/// The path of each file, and the text that it should have.
 pub type Made = [(&'static str, String); 3];
 
-/// From the repository's root.
+/// Where a path from the root of the repository is on this machine.
 pub fn in_repository(path: &str) -> PathBuf {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
 }
 
-/// What the record makes of them.
+/// Makes the files from the record.
 pub fn of(record: &Value) -> Result<Made, Failure> {
     let readme = read(README)?;
     Ok([
@@ -29,11 +29,12 @@ pub fn of(record: &Value) -> Result<Made, Failure> {
     ])
 }
 
+/// Writes the files.
 pub fn save(made: &Made) -> Result<(), Failure> {
     made.iter().try_for_each(|(path, text)| write(&in_repository(path), text))
 }
 
-/// One line for each file that is not as it should be.
+/// Returns a line for each file that differs from what the record makes of it.
 pub fn stale(made: &Made) -> Result<Vec<String>, Failure> {
     let mut stale = Vec::new();
     for (path, text) in made {
@@ -49,6 +50,7 @@ fn read(path: &str) -> Result<String, Failure> {
         .map_err(|error| Failure::of(path, format_args!("cannot be read ({}); restore it", error.kind())))
 }
 
+/// Writes one file.
 pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
     fs::write(path, text).map_err(|error| {
         Failure::of(path.display(), format_args!("cannot be written ({}); name another place", error.kind()))

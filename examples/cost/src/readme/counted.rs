@@ -1,4 +1,4 @@
-//! Tables whose words are the README's own: the counts of instructions and bytes are put into their cells.
+//! Tables that the README words itself. Only the counts of instructions and bytes are put into their cells.
 
 use super::grouped;
 use crate::counts::{self, Profile};
@@ -8,15 +8,16 @@ const M4F: &str = "thumbv7em-none-eabihf";
 const BOARDS: [&str; 4] =
     [M4F, "thumbv8m.main-none-eabihf", "thumbv6m-none-eabi", "riscv32imac-unknown-none-elf"];
 
-/// What a cell shows, joined by " / ": where, how built, and which count of the row.
+/// The counts that a cell shows with " / " between them: of each the target, the profile, and which count of
+/// the row it is.
 type Cell = &'static [(&'static str, Profile, usize)];
 
 struct Table {
     name: &'static str,
-    /// The column of each cell, from 0.
+    /// The cells that are filled, each with its column, counted from 0.
     cells: &'static [(usize, Cell)],
-    /// The label in the first column; the counts of the row, their unit, and how many of what is shown they
-    /// are for.
+    /// The rows that are filled: the label in the first column, the names of the counts on record, their
+    /// unit, and the number by which they are divided.
     rows: &'static [(&'static str, &'static [&'static str], &'static str, u32)],
 }
 
@@ -96,7 +97,7 @@ const TABLES: [Table; 3] = [
     },
 ];
 
-/// The table of this name with today's counts in it; rows that have none stay as they are.
+/// Returns the table of this name with the counts on record in it. Other rows stay as they are.
 pub fn table(name: &str, old: &str) -> Result<String, Failure> {
     let spec = TABLES.iter().find(|table| table.name == name);
     let spec =
@@ -132,7 +133,7 @@ pub fn table(name: &str, old: &str) -> Result<String, Failure> {
     }
 }
 
-/// One part of a cell; none if the row has no such count.
+/// Returns one count of a cell, or `None` if the row has no such count.
 fn count(
     (board, profile, which): &(&str, Profile, usize),
     counted: &[&str],
@@ -141,7 +142,7 @@ fn count(
 ) -> Option<String> {
     let what = counted.get(*which)?;
     let count = if unit == "bytes" {
-        // Code and tables of an image are one price.
+        // The flash of an image is its code and its tables.
         ["code", "tables"]
             .into_iter()
             .map(|part| counts::recorded(board, *profile, &format!("{what}-{part}"), unit))

@@ -1,4 +1,4 @@
-//! Tables made whole from the report.
+//! Tables of the README that are made completely from the report.
 
 use super::grouped;
 use crate::counts::{self, Core, Profile};
@@ -6,7 +6,7 @@ use crate::record::{CLASSES, Choice, choices, number, rows, text};
 use crate::text::figure;
 use serde_json::Value;
 
-/// What makes the table of this name of a report that has it.
+/// Finds the function that makes the table of this name.
 pub fn maker(name: &str) -> Option<fn(&Value) -> String> {
     match name {
         "xyz" => Some(|report| xyz(&choices(report))),
@@ -17,7 +17,7 @@ pub fn maker(name: &str) -> Option<fn(&Value) -> String> {
     }
 }
 
-/// Rows of the sweep that say it all: range, scheme, bands, what the README calls it.
+/// The choices that the README shows: range, scheme, bands, and the label of the row.
 const SHOWN: [(&str, &str, u32, &str); 12] = [
     ("380..730", "folded spline", 8, "8"),
     ("380..730", "folded spline", 12, "12"),
@@ -58,7 +58,7 @@ fn xyz(choices: &[Choice]) -> String {
     out
 }
 
-/// What its instructions are on record as.
+/// Returns the name under which the instructions of a choice are on record.
 fn counted(choice: &Choice) -> String {
     match choice.scheme.as_str() {
         "sRGB product" => "rgb-product".to_owned(),
@@ -67,7 +67,7 @@ fn counted(choice: &Choice) -> String {
     }
 }
 
-/// Of each kind of loss the worst.
+/// Shows the worst case of each kind of loss.
 fn losses(report: &Value) -> String {
     let rows = rows(report, "losses");
     let mut kinds: Vec<&str> = rows.iter().map(|row| text(row, "more")).collect();
@@ -142,7 +142,7 @@ fn count(count: Option<f64>) -> String {
     count.map_or_else(|| "-".to_owned(), |count| grouped(count as u32))
 }
 
-/// Two digits: 1.4e-7, 0.69.
+/// Returns an error with two significant digits, such as 1.4e-7 or 0.69.
 fn error(value: f64) -> String {
     if value >= 0.1 { format!("{value:.2}") } else { format!("{value:.1e}") }
 }

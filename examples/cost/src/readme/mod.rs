@@ -1,7 +1,7 @@
 //! The tables of README.md that are made from what is on record.
 //!
-//! They stand between `<!-- cost: NAME -->` and `<!-- end -->`. [`made`] makes one whole from the report; of
-//! those in [`counted`] the words are the README's and the counts are put in.
+//! Each stands between `<!-- cost: NAME -->` and `<!-- end -->`. The tables in [`made`] are made completely
+//! from the report. Those in [`counted`] are worded in the README, and only the counts are put in.
 
 mod counted;
 mod made;
@@ -14,7 +14,7 @@ const START: &str = "<!-- cost: ";
 const CLOSE: &str = " -->";
 const END: &str = "<!-- end -->";
 
-/// The text of README.md with every table as the report and the counts have it.
+/// Returns the text of README.md with every table renewed from the report and the counts.
 pub fn rewritten(readme: &str, report: &Value) -> Result<String, Failure> {
     let mut out = String::with_capacity(readme.len());
     let mut rest = readme;
@@ -39,7 +39,7 @@ fn unfinished(name: &str, end: &str) -> Failure {
     Failure::of("README.md", format_args!("{name} does not end; write {end} behind it"))
 }
 
-/// A count with commas between thousands.
+/// Returns a count with commas between thousands.
 fn grouped(count: u32) -> String {
     let digits = count.to_string();
     let mut out = String::new();
