@@ -1,7 +1,7 @@
-//! From XYZ to what it means. Ids are station/op/N/backend; `--bench peers` prints the ratios to other
-//! crates.
+//! Times what follows from XYZ: color temperature, CIELAB, color differences, color rendering. An id reads
+//! `color/operation/N/backend`, where N is the number of bands. The bench `peers` compares with other crates.
 //!
-//! Every result is compared with the f64 model of the tests first.
+//! Every result is compared with the f64 model of the tests before it is timed.
 
 use criterion::{BenchmarkId, Criterion};
 use model::cri::{Method, Mode};
@@ -23,7 +23,7 @@ fn bench<R>(c: &mut Criterion, op: &str, n: usize, f: impl FnMut() -> R) {
     });
 }
 
-/// Steps from XYZ, none of which needs the 1 nm tables, but for the dominant wavelength.
+/// What is computed from one color. Of these only the dominant wavelength needs the 1 nm tables.
 fn point(c: &mut Criterion, lamp: &Fine<Power>) {
     let xyz = Xyz::from(CIE_1931.sees(lamp)).with_y(100.0).expect("visible");
     let (uv, xy) = (xyz.uv1960().expect("visible"), xyz.xy().expect("visible"));
@@ -52,6 +52,7 @@ fn point(c: &mut Criterion, lamp: &Fine<Power>) {
     bench(c, "dominant-wavelength", 471, dominant);
 }
 
+/// The color rendering of a lamp by CIE 13.3 and by TM-30.
 fn rendering(c: &mut Criterion, lamp: &Fine<Power>) {
     let truth = Method::new(Mode::OneNm).of_values(&lamp.values().map(f64::from));
     near("Ra", cri(lamp).expect("white").ra, truth.ra, 1e-3);

@@ -1,8 +1,10 @@
-//! Spectrum to XYZ, singly and in batches of 1000; sums three ways; the most the core can do. Ids are
-//! station/op/N/backend; `--bench peers` prints the ratios.
+//! Times the way from a spectrum to XYZ, for one spectrum and for a batch of 1000, beside vectors written by
+//! hand, three orders of summation, and the most that the core can do. An id reads
+//! `observer/operation/N/backend`, where N is the number of bands. The bench `peers` prints the ratios.
 //!
-//! Every result is compared with the exact sum of the same products first. Other vectors (`--features simd`
-//! where there are any to choose, `RUSTFLAGS="-C target-cpu=x86-64-v3"`) give the same bits.
+//! Every result is compared with the exact sum of the same products before it is timed. Wider vectors
+//! (`RUSTFLAGS="-C target-cpu=x86-64-v3"`, or `--features simd` on hosts other than x86-64) give the same
+//! bits.
 
 use criterion::{Criterion, Throughput};
 use nanospectra::observer::CIE_1931;
@@ -16,7 +18,7 @@ fn near(found: f32, truth: f64) {
     assert!((f64::from(found) / truth - 1.0).abs() < 2e-6, "{found} for {truth}");
 }
 
-/// One lamp, and a thousand, on `N` nodes.
+/// One lamp, and a thousand lamps, on `N` nodes.
 fn bands<const N: usize, G: Grid>(c: &mut Criterion) {
     let eye: Observer<3, N, Power, G> = CIE_1931.fold(Curve::Step);
     let lamp: Light<N, G> = light::LED_B3_1NM.interpolate(Interpolation::Linear);
@@ -41,11 +43,12 @@ fn bands<const N: usize, G: Grid>(c: &mut Criterion) {
     group.bench_function(BACKEND, |b| {
         b.iter(|| black_box(&eye).sees_each(black_box(&lamps), black_box(&mut reports)));
     });
-    // As many multiplications and additions.
+    // The same number of multiplications and additions, as fast as the core can do them.
     group.bench_function("peak", |b| b.iter(|| multiply_and_add(1000 * 3 * N)));
     group.finish();
 }
 
+/// One sum of `N` products by three orders of summation.
 fn sums<const N: usize>(c: &mut Criterion) {
     let row = core::array::from_fn::<f32, N, _>(|k| 1.0 / (1.0 + k as f32));
     let s = core::array::from_fn::<f32, N, _>(|k| 1.0 + (k % 7) as f32);

@@ -1,5 +1,8 @@
-//! From the counts of a chip to a color on a host; what a device needs is counted by `tests/devices.sh`. Ids
-//! are station/op/N/backend.
+//! Times the way from the counts of a sensor chip to a color, on a host. The instructions that a
+//! microcontroller needs for it are counted by `tests/devices.sh`. An id reads `sensor/operation/N/backend`,
+//! where N is the number of channels, bands or patches.
+//!
+//! Every result is compared with what is expected before it is timed.
 
 use criterion::{BatchSize, BenchmarkId, Criterion};
 use nanospectra::color::Cct;
@@ -23,7 +26,7 @@ const EXPOSURE: Exposure = as7341::exposure(16.0, 29, 599);
 static METER: Meter<8> = Meter::new(&EXPOSURE, &TO_XYZ);
 static FIXED: FixedMeter<8> = FixedMeter::new(&EXPOSURE, &TO_XYZ).unwrap();
 
-/// A reading, from the bus to XYZ, CCT, Duv and Lab.
+/// One reading, from the counts on the bus to XYZ, CCT, Duv and Lab.
 fn reading(c: &mut Criterion) {
     // A flat light: equal energy, x = y = 1/3.
     let flat = CHIP.sees(&Light::flat(1.0));
@@ -51,7 +54,7 @@ fn reading(c: &mut Criterion) {
     group.finish();
 }
 
-/// Counts to a spectrum, by a matrix and without negative powers.
+/// A spectrum from the counts: by a matrix, and by the method whose powers are never negative.
 fn spectrum(c: &mut Criterion) {
     let basic = BasicCounts::new(CHIP.sees(&Light::flat(2.0)));
     assert!((SPECTRUM.spectrum(&basic).values()[15] - 2.0).abs() < 0.1);
@@ -65,7 +68,7 @@ fn spectrum(c: &mut Criterion) {
     group.finish();
 }
 
-/// A calibration from 24 patches: nominal channels whose XYZ is what `EYE` sees.
+/// A calibration fitted to 24 patches, of which `EYE` gives the XYZ.
 fn fit(c: &mut Criterion) {
     let patches: Vec<_> = (0..24)
         .map(|k| {
@@ -83,7 +86,7 @@ fn fit(c: &mut Criterion) {
     c.bench_function("sensor/fit/24/f32", |b| b.iter(|| solve(black_box(&patches))));
 }
 
-/// 81 bands of 16 bits to XYZ in integers.
+/// XYZ from 81 bands of 16 bits, in integers.
 fn bands(c: &mut Criterion) {
     static WIDE: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Curve::Spline);
     static FIXED: FixedObserver<3, 81, Nodes<380, 780>> = FixedObserver::new(&WIDE).unwrap();

@@ -1,9 +1,12 @@
-//! RGB to spectrum: each method singly and in batches, reading stored curves, and the crate `rgb2spec`. Ids
-//! are station/op/N/backend.
+//! Times the way from an RGB color to a spectrum: each method for one color and for eight at a time, reading
+//! spectra from stored coefficients, and the crate `rgb2spec`. An id reads `upsample/operation/N/method`,
+//! where N is the number of bands.
 //!
-//! The colors are 4096 of the sRGB cube in a fixed order, so that branches are as in an image; times are for
-//! one color (or eight, or one sample, as the id says). `coefficients` are what `rgb2spec` finds in its table
-//! of 16^3 cells, no spectrum yet. Every bench checks its result first.
+//! The colors are 4096 of the sRGB cube in a fixed order, so that branches are mixed as in an image. A time
+//! is that of one color; with `reflectance-of-8` it is that of eight, and with `stored` that of a spectrum.
+//! `coefficients` times what `rgb2spec` finds in its table of 16^3 cells, without making a spectrum of it.
+//!
+//! Every result is compared with the color that it should give before it is timed.
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
@@ -31,7 +34,7 @@ fn linear(codes: &[[u8; 3]]) -> Vec<Rgb<Srgb>> {
     codes.iter().map(|c| EncodedRgb::<Srgb>::from_u8(*c).decode()).collect()
 }
 
-/// One after another, round and round.
+/// Times a function on the inputs in turn.
 fn each<T: Copy, R>(c: &mut Criterion, op: &str, id: BenchmarkId, inputs: &[T], f: impl Fn(T) -> R) {
     let mut next = 0;
     c.benchmark_group(format!("upsample/{op}")).bench_function(id, |b| {
@@ -42,6 +45,7 @@ fn each<T: Copy, R>(c: &mut Criterion, op: &str, id: BenchmarkId, inputs: &[T], 
     });
 }
 
+/// The method `Sigmoid`, with one of its maps of start values.
 fn solver<const N: usize, G: Grid, M: StartMap>(c: &mut Criterion, name: &str) {
     let viewing: Viewing<N, G> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
     let sigmoid: Sigmoid<N, G, Srgb, M> = Sigmoid::new(&viewing);
@@ -67,6 +71,7 @@ fn solver<const N: usize, G: Grid, M: StartMap>(c: &mut Criterion, name: &str) {
     });
 }
 
+/// A spectrum from stored coefficients.
 fn reading<const N: usize, G: Grid>(c: &mut Criterion) {
     let curve = SigmoidReflectance::from_texel([3.0, -4.0, 0.5, 0.75]);
     let on_grid: Reflectance<N, G> = curve.on_grid();
@@ -80,6 +85,7 @@ fn reading<const N: usize, G: Grid>(c: &mut Criterion) {
     });
 }
 
+/// The methods `Basis` and `Smits`.
 fn linear_methods(c: &mut Criterion) {
     let viewing: Viewing<31, Nodes<400, 700>> = Viewing::new(&CIE_1931.under(&LIGHT).fold(Curve::Step));
     let (basis, smits) = (Basis::new(&viewing), Smits::<31, Nodes<400, 700>>::new());
@@ -93,6 +99,7 @@ fn linear_methods(c: &mut Criterion) {
     each(c, "reflectance", BenchmarkId::new("31", "smits"), &colors, |rgb| smits.reflectance(rgb));
 }
 
+/// The crate `rgb2spec`.
 fn peer(c: &mut Criterion) {
     let table = optimize(Gamut::SRGB, 16).expect("a table");
     let colors: Vec<[f32; 3]> = linear(&codes()).iter().map(|rgb| rgb.to_array()).collect();

@@ -1,10 +1,10 @@
-//! What the crate's sums are held against: explicit vectors of the `wide` crate, the plain loop, the pairwise
-//! sum, and the most that one core multiplies and adds.
+//! What the sums of nanospectra are compared with: explicit vectors of the crate `wide`, a plain loop, a
+//! pairwise sum, the exact sum, and the most that one core can multiply and add.
 
 use std::hint::black_box;
 use wide::{f32x4, f32x8};
 
-/// One pass over three rows with explicit vectors.
+/// Computes three sums of products in one pass, with explicit vectors.
 pub fn wide_one_pass<const N: usize>(rows: &[[f32; N]; 3], s: &[f32; N]) -> [f32; 3] {
     let (mut x, mut y, mut z) = (f32x8::ZERO, f32x8::ZERO, f32x8::ZERO);
     let mut k = 0;
@@ -26,12 +26,13 @@ pub fn wide_one_pass<const N: usize>(rows: &[[f32; N]; 3], s: &[f32; N]) -> [f32
     sums
 }
 
-/// One product after the other.
+/// Adds one product after the other.
 pub fn naive<const N: usize>(row: &[f32; N], s: &[f32; N]) -> f32 {
     row.iter().zip(s).map(|(w, s)| w * s).sum()
 }
 
-/// Halves of halves, down to eight products: the most exact of the three.
+/// Adds the sums of both halves, each computed in the same way, down to eight products. It is the most exact
+/// of the three.
 pub fn pairwise(row: &[f32], s: &[f32]) -> f32 {
     if row.len() <= 8 {
         return row.iter().zip(s).map(|(w, s)| w * s).sum();
@@ -40,13 +41,14 @@ pub fn pairwise(row: &[f32], s: &[f32]) -> f32 {
     pairwise(row, s) + pairwise(row_rest, s_rest)
 }
 
-/// The sum of the same products, rounded nowhere (a product of two f32 is exact in f64).
+/// Computes the sum of the products in f64, in which a product of two f32 is exact.
 pub fn exact(row: &[f32], s: &[f32]) -> f64 {
     row.iter().zip(s).map(|(w, s)| f64::from(*w) * f64::from(*s)).sum()
 }
 
-/// Multiplications and additions (at least `count`) of full vectors that wait for nothing but registers,
-/// twelve chains of them. Not fused: the crate never fuses, because not every target can.
+/// Does at least `count` multiplications and additions on full vectors, in twelve chains that stay in
+/// registers, so that neither memory nor latency slows them down. They are not fused, because nanospectra
+/// never fuses: not every target could do the same.
 #[inline(never)]
 pub fn multiply_and_add(count: usize) {
     macro_rules! chains {

@@ -1,5 +1,5 @@
-//! What a color means: `colorimetry` for CCT and color rendering, `palette` in f32 for Lab, CIEDE2000 and
-//! sRGB.
+//! What follows from XYZ. The crate `colorimetry` is the peer for color temperature and color rendering, and
+//! `palette` in f32 for CIELAB, CIEDE2000 and sRGB.
 
 use crate::race::{Races, each};
 use colorimetry::illuminant::Illuminant;
@@ -27,7 +27,7 @@ pub fn all(races: &mut Races) {
     srgb(races);
 }
 
-/// Sixty-four near-whites, 1700 to 20000 K.
+/// The color temperature of 64 colors near white, from 1700 to 20000 K.
 fn temperature(races: &mut Races) {
     let mut noise = Noise(1);
     let points: Vec<[f64; 2]> = (0..64)
@@ -55,6 +55,7 @@ fn temperature(races: &mut Races) {
     races.errors(worst, their_worst);
 }
 
+/// The color rendering of one fluorescent lamp.
 fn color_rendering(races: &mut Races) {
     let lamp: Fine<Power> = light::FL2_1NM.fine();
     let std_lamp = Illuminant::new(StdSpectrum::from(light::FL2_1NM.values().map(f64::from)));
@@ -81,8 +82,9 @@ fn color_rendering(races: &mut Races) {
     );
 }
 
+/// CIELAB of 1024 colors below the white.
 fn lab_of_xyz(races: &mut Races) {
-    // The white as `palette` has it.
+    // The white point that `palette` uses.
     let white: [f32; 3] = [0.950_47, 1.0, 1.088_83];
     let mut noise = Noise(1);
     let colors: Vec<[f32; 3]> = (0..1024).map(|_| white.map(|w| w * noise.uniform() as f32)).collect();
@@ -109,7 +111,7 @@ fn lab_of_xyz(races: &mut Races) {
     races.errors(worst[0], worst[1]);
 }
 
-/// Pairs of surfaces anywhere, and as many that nearly match.
+/// CIEDE2000 of pairs of unlike colors, and of as many pairs that nearly match.
 fn difference(races: &mut Races) {
     let mut noise = Noise(1);
     let mut pairs = Vec::new();
@@ -142,6 +144,7 @@ fn difference(races: &mut Races) {
     races.errors(worst[0], worst[1]);
 }
 
+/// The sRGB encoding of 1024 colors.
 fn srgb(races: &mut Races) {
     let mut noise = Noise(1);
     let colors: Vec<[f32; 3]> = (0..1024).map(|_| [(); 3].map(|()| noise.uniform() as f32)).collect();

@@ -1,4 +1,5 @@
-//! Spectrum to XYZ: vectors by hand, the limit of the core, the crate `colorimetry`; and sums.
+//! The way from a spectrum to XYZ, beside vectors written by hand, the peak of the core and the crate
+//! `colorimetry`; and single sums in other orders of summation.
 
 use crate::race::Races;
 use colorimetry::observer::Observer as StdObserver;
@@ -38,6 +39,7 @@ fn lamp<const N: usize, G: Grid>() -> Light<N, G> {
     light::LED_B3_1NM.interpolate(Interpolation::Linear)
 }
 
+/// Compares three results with the exact sums.
 fn check<const N: usize>(rows: &[[f32; N]; 3], s: &[f32; N], found: [f32; 3]) {
     for (row, found) in rows.iter().zip(found) {
         let truth = exact(row, s);
@@ -45,6 +47,7 @@ fn check<const N: usize>(rows: &[[f32; N]; 3], s: &[f32; N], found: [f32; 3]) {
     }
 }
 
+/// One spectrum, beside vectors written by hand.
 fn single<const N: usize, G: Grid>(races: &mut Races) {
     let (eye, lamp) = (eye::<N, G>(), lamp::<N, G>());
     check(eye.weights(), lamp.values(), eye.sees(&lamp));
@@ -58,7 +61,7 @@ fn single<const N: usize, G: Grid>(races: &mut Races) {
     );
 }
 
-/// As many multiplications and additions as 1000 spectra to XYZ need, at the most a core can do.
+/// A batch of 1000 spectra, beside as many multiplications and additions at the peak of the core.
 fn batch<const N: usize, G: Grid>(races: &mut Races) {
     let eye = eye::<N, G>();
     let lamps: Vec<Light<N, G>> = (0..1000).map(|k| lamp::<N, G>() * (1.0 + k as f32)).collect();
@@ -77,7 +80,8 @@ fn batch<const N: usize, G: Grid>(races: &mut Races) {
     );
 }
 
-/// It has one grid, 401 points, in f64; it scales to lumens, and has nothing below 380 and above 780 nm.
+/// One spectrum, beside the crate `colorimetry`. That crate has a single grid, 401 points of f64 from 380 to
+/// 780 nm, and scales its results to lumens, so the ratios of X, Y and Z are compared.
 fn beside_colorimetry<const N: usize>(races: &mut Races, bar: f64) {
     let (eye, lamp) = (eye::<N, Usual>(), lamp::<N, Usual>());
     let spectrum = StdSpectrum::from(light::LED_B3_1NM.values().map(f64::from));
@@ -95,11 +99,12 @@ fn beside_colorimetry<const N: usize>(races: &mut Races, bar: f64) {
     );
 }
 
+/// XYZ of the lamp on the grid of `colorimetry`.
 fn lamp_at_every_nm() -> [f64; 3] {
     eye::<401, Usual>().sees(&light::LED_B3_1NM).map(f64::from)
 }
 
-/// Sums of products of random signs and sizes; errors in units of 2^-24 of the sum of the sizes.
+/// Sums of products of random numbers. Errors are in units of 2^-24 of the sum.
 fn sums<const N: usize>(races: &mut Races) {
     let mut state = 1u64;
     let mut random = || {

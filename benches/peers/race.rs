@@ -1,12 +1,12 @@
-//! Two ways of doing the same, timed in turns, so that what disturbs one disturbs the other.
+//! Times two ways of doing the same. They take turns, so that a disturbance of the machine slows both.
 
 use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// The runs: how long, and what came of them.
+/// Collects the comparisons and prints them.
 pub struct Races {
-    /// Only try out that everything runs.
+    /// Whether to call everything only once, to see that it runs.
     test: bool,
     rows: Vec<Row>,
 }
@@ -16,9 +16,9 @@ struct Row {
     ours_ns: f64,
     theirs: &'static str,
     theirs_ns: f64,
-    /// How many times as fast ours should be.
+    /// The ratio of theirs to ours that is expected at least.
     bar: Option<f64>,
-    /// Largest errors against f64, where they are compared.
+    /// The largest errors of ours and theirs against f64, if they are compared.
     errors: Option<[f64; 2]>,
 }
 
@@ -27,7 +27,8 @@ impl Races {
         Races { test, rows: Vec::new() }
     }
 
-    /// Ours against theirs; `per` calls' worth in one.
+    /// Times ours against theirs. One call of either does the work of `per` operations, and times are for one
+    /// operation.
     pub fn run<A, B>(
         &mut self,
         what: impl Into<String>,
@@ -46,7 +47,7 @@ impl Races {
         self.rows.push(Row { what: what.into(), ours_ns, theirs, theirs_ns, bar: bar.into(), errors: None });
     }
 
-    /// The largest errors of the last two, ours and theirs.
+    /// Notes the largest errors of the last comparison, ours and theirs.
     pub fn errors(&mut self, ours: f64, theirs: f64) {
         if let Some(row) = self.rows.last_mut() {
             row.errors = Some([ours, theirs]);
@@ -88,7 +89,7 @@ impl Races {
     }
 }
 
-/// Calls that take 50 us or so.
+/// How many calls take about 50 microseconds.
 fn calls<R>(f: &mut impl FnMut() -> R) -> usize {
     let mut calls = 1;
     while time(calls, f) * (calls as f64) < 50e3 {
@@ -97,7 +98,7 @@ fn calls<R>(f: &mut impl FnMut() -> R) -> usize {
     calls
 }
 
-/// ns for each call.
+/// The nanoseconds of one call.
 fn time<R>(calls: usize, f: &mut impl FnMut() -> R) -> f64 {
     let start = Instant::now();
     for _ in 0..calls {
@@ -111,7 +112,7 @@ fn median(mut times: Vec<f64>) -> f64 {
     times[times.len() / 2]
 }
 
-/// One after the other, round and round.
+/// Makes a function that takes the inputs in turn.
 pub fn each<'a, T, R>(inputs: &'a [T], f: impl Fn(&T) -> R + 'a) -> impl FnMut() -> R + 'a {
     let mut next = inputs.iter().cycle();
     move || f(black_box(next.next().expect("an input")))

@@ -1,4 +1,5 @@
-//! RGB to spectrum, 31 bands: the crate `rgb2spec` reads a table of 16^3 cells, this one solves.
+//! The way from an RGB color to a spectrum of 31 bands. The crate `rgb2spec` reads a table of 16^3 cells, and
+//! nanospectra solves for the coefficients.
 
 use crate::race::{Races, each};
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};

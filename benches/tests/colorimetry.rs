@@ -1,5 +1,6 @@
-//! The crate `colorimetry` 0.1.0, which needs std and computes in f64 over 380 to 780 nm, beside this one:
-//! the same numbers from its own spectra. Where it deviates, the deviation has a name and a bound.
+//! Compares nanospectra with the crate `colorimetry` 0.1.0, which needs std and computes in f64 over 380 to
+//! 780 nm. Both get the spectra of `colorimetry`. Where its results deviate, the reason is named and the
+//! deviation is bounded.
 
 use colorimetry::illuminant::CieIlluminant as Theirs;
 use colorimetry::observer::Observer as TheirEye;
@@ -22,7 +23,7 @@ const LIGHTS: [(&str, Theirs); 40] = names! {
     LED_B1 LED_B2 LED_B3 LED_B4 LED_B5 LED_BH1 LED_RGB1 LED_V1 LED_V2
 };
 
-/// Its 401 numbers as this crate holds them.
+/// One of its illuminants, 401 numbers, as a spectrum of this crate.
 fn ours(theirs: Theirs) -> Fine<Power> {
     let spectrum: &colorimetry::spectrum::Spectrum = theirs.illuminant().as_ref();
     let values = spectrum.as_array().map(|value| value as f32);
@@ -55,8 +56,8 @@ fn xyz_and_xy_are_the_same_for_every_observer() {
     xy.tight(2 * 4 * LIGHTS.len());
 }
 
-/// A point of the locus and its slope by mired, as `colorimetry` has them: sums over 380 to 780 nm, c2 of
-/// CODATA.
+/// A point of the Planckian locus and its derivative by mired, as `colorimetry` computes them: by sums over
+/// 380 to 780 nm, and with the c2 of CODATA.
 fn their_locus(mired: f64) -> ([f64; 2], [f64; 2]) {
     let cmf = Observer::Cie1931.on_cie_grid();
     let at = |mired: f64| {
@@ -79,7 +80,8 @@ fn cct_and_duv_are_the_same_but_for_its_locus() {
         let mired = 1e6 / expected.t();
         cct.value(name, 1e6 / f64::from(kelvin), mired);
         duv.value(name, distance.into(), expected.d());
-        // Its locus is another: there its temperature is the nearest one, as it should be.
+        // Its locus differs from ours. On its own locus its temperature belongs to the nearest point, as it
+        // should.
         let ([u, v], [du, dv]) = their_locus(mired);
         let along = (f64::from(uv.u) - u) * du + (f64::from(uv.v) - v) * dv;
         explained.value(name, along / (du * du + dv * dv), 0.0);
@@ -99,12 +101,14 @@ fn color_rendering_indices_are_the_same_but_for_its_straight_samples() {
         let expected = light.illuminant().cri().expect("a white light");
         let found = cri(&ours(light)).expect("a white light");
         if name == "F3_10" {
-            // 4999.5 K, and 5000.1 K on its locus: there the reference changes from black body to daylight.
+            // This lamp has 4999.5 K, and 5000.1 K on its locus. At 5000 K the reference changes from a black
+            // body to daylight.
             assert!(found.cct_k < 5000.0 && light.illuminant().cct().expect("white").t() > 5000.0);
             assert!((f64::from(found.ra) - expected.ra()).abs() < 0.25, "{found:?}");
             continue;
         }
-        // It joins the 5 nm values of the test colors by straight lines, where CIE 13.3 wants Sprague's.
+        // It interpolates the 5 nm values of the test colors linearly, while CIE 13.3 demands Sprague's
+        // method.
         ra.value(name, found.ra.into(), expected.ra());
         for (k, (got, expected)) in found.r.iter().zip(expected.to_array()).enumerate() {
             r.value(&format!("{name} R{}", k + 1), (*got).into(), expected);
@@ -124,8 +128,8 @@ fn fidelity_and_gamut_are_the_same_but_for_its_blend_between_4000_and_5000_k() {
         let theirs = light.illuminant().cfi().expect("a white light");
         let found = tm30(&ours(light)).expect("a white light");
         let (expected_rf, expected_rg) = (theirs.color_fidelity_index(), theirs.color_gamut_index());
-        // Between the two it mixes Planck(4000 K) with D(5000 K), where TM-30 mixes both at the CCT of the
-        // light.
+        // In this range it mixes a black body of 4000 K with daylight of 5000 K, while TM-30 mixes both at
+        // the temperature of the lamp.
         if (4000.0..5000.0).contains(&found.cct_k) {
             blended += 1;
             blended_rf.value(name, found.rf.into(), expected_rf);

@@ -1,5 +1,5 @@
-//! What an upsampled spectrum has in common with the real one: the CES99 samples within sRGB, their RGB under
-//! D65 turned into a spectrum again, and both seen under other lamps.
+//! How near a spectrum made from RGB comes to the real one. Each of the CES99 samples within sRGB is turned
+//! into its RGB under D65 and back into a spectrum, and both spectra are compared under other lamps.
 
 use nanospectra::color::{EncodedRgb, Rgb, Srgb};
 use nanospectra::light::{A, D65, FL2, FL11, LED_B3};
@@ -12,8 +12,8 @@ use rgb2spec::optimize::{gamut::Gamut, optimize};
 type Grid = Nodes<380, 780>;
 type Eye = Observer<3, 81, Factor, Grid>;
 
-/// Means over the samples: root mean square of the difference over 400..=700 nm; CIEDE2000 under each lamp;
-/// and the mean size of second differences.
+/// Sums over the samples of the root mean square of the difference over 400..=700 nm, of CIEDE2000 under each
+/// lamp, and of the mean size of second differences.
 #[derive(Debug, Default)]
 struct Realism {
     rms: f64,
@@ -36,7 +36,7 @@ impl Realism {
         self.count += 1.0;
     }
 
-    /// Prints and returns the means.
+    /// Prints the means, and returns the root mean square and CIEDE2000 under each lamp.
     fn means(self, method: &str) -> (f64, [f64; 4]) {
         let n = self.count;
         let (rms, delta_e) = (self.rms / n, self.delta_e.map(|sum| sum / n));
@@ -82,8 +82,8 @@ fn of_the_exact_methods_the_sigmoid_is_nearest_to_measured_samples() {
     }
 }
 
-/// The crate `rgb2spec`, read at the centers of the bins; its table has 16^3 cells, or as many as
-/// `NANOSPECTRA_CELLS=64` says, which takes minutes to make.
+/// The crate `rgb2spec`, read at the centers of the bins. Its table has 16^3 cells, or 64^3 if the
+/// environment says `NANOSPECTRA_CELLS=64`, which takes minutes to make.
 fn peer() -> impl Fn(Rgb<Srgb>) -> Reflectance<81, Grid> {
     let cells =
         std::env::var("NANOSPECTRA_CELLS").map_or(16, |n| n.parse().expect("NANOSPECTRA_CELLS: a number"));

@@ -29,6 +29,9 @@
 pub mod first_steps {}
 
 /// Helps you choose how many numbers a spectrum needs, with the error and the cost of each choice.
+///
+#[doc = include_str!("frontier.svg")]
+///
 #[doc = include_str!("bands.md")]
 pub mod bands {}
 

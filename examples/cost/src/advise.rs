@@ -1,4 +1,5 @@
-//! The chooser: from lamps and limits to a grid, a scheme and the lines to write, by what is on record.
+//! Chooses a grid, a scheme and a number of bands for given lamps and limits from what is on record, and
+//! gives the lines of Rust that use them.
 
 use crate::args::Limits;
 use crate::counts::Core;
@@ -6,14 +7,14 @@ use crate::record::{CLASSES, Choice};
 use crate::text::figure;
 use nanospectra_cli::failure::{Failure, short};
 
-/// Words for several classes at once.
+/// Words that stand for several classes of lamps.
 const TOGETHER: [(&str, &[&str]); 3] = [
     ("fl", &["halophosphate", "triphosphor"]),
     ("rooms", &["smooth", "halophosphate", "triphosphor", "led", "hid"]),
     ("all", &CLASSES),
 ];
 
-/// The best choice within the limits, as text for a terminal.
+/// Returns the best choice within the limits, as text for a terminal.
 pub fn advice(choices: &[Choice], limits: &Limits) -> Result<String, Failure> {
     let classes = classes(&limits.lamps)?;
     let error =
@@ -27,7 +28,8 @@ pub fn advice(choices: &[Choice], limits: &Limits) -> Result<String, Failure> {
         ));
     }
     let fits: Vec<&Choice> = choices.iter().filter(|choice| fits(choice, limits)).collect();
-    // Limit by limit, so that the one that cannot be held is named, with what is next to it.
+    // The limits are applied one after another, so that the message can name the one that nothing meets, and
+    // the choice that comes nearest to it.
     let cheap = within(&fits, "--most-instructions", limits.most_instructions, "instructions", instructions)?;
     let small =
         within(&cheap, "--most-bytes", limits.most_bytes, "bytes of constants", |choice| choice.constants)?;
@@ -41,7 +43,7 @@ pub fn advice(choices: &[Choice], limits: &Limits) -> Result<String, Failure> {
     Ok(answer(best, &classes))
 }
 
-/// What the words mean, as places in [`CLASSES`].
+/// Finds the classes that the words name, as indices of [`CLASSES`].
 fn classes(words: &[String]) -> Result<Vec<usize>, Failure> {
     let mut found = Vec::new();
     for word in words {
@@ -63,9 +65,9 @@ fn classes(words: &[String]) -> Result<Vec<usize>, Failure> {
     Ok(found)
 }
 
-/// Whether a choice can be written with the crate and is of the kind asked for.
+/// Whether the crate offers this choice, and it is of the kind that was asked for.
 fn fits(choice: &Choice, limits: &Limits) -> bool {
-    // Points and averages that cut off are there to compare with.
+    // Points, and averages without the tails, are on record for comparison only.
     let is_folded = choice.scheme.starts_with("folded");
     let is_offered =
         is_folded || ["averages+tails", "observer parabola", "sRGB product"].contains(&&*choice.scheme);
@@ -73,7 +75,7 @@ fn fits(choice: &Choice, limits: &Limits) -> bool {
     is_offered && (!limits.light_changes || !is_folded) && (!limits.never_negative || never_negative)
 }
 
-/// Those with no more than `most`; if there are none, the one that comes next to it.
+/// Returns the choices whose value is at most `most`. If there are none, the error names the nearest one.
 fn within<'a>(
     choices: &[&'a Choice],
     option: &str,
@@ -97,11 +99,12 @@ fn within<'a>(
     }
 }
 
-/// No fewer digits than are needed to ask for it again.
+/// A number with all the digits that are needed to give it as a limit.
 fn exact(value: f64) -> String {
     value.to_string()
 }
 
+/// Describes a choice: its costs, its errors and the lines to write.
 fn answer(choice: &Choice, classes: &[usize]) -> String {
     let count = |core| choice.instructions(core).map_or_else(|| "?".to_owned(), |count| count.to_string());
     let mut out = format!(
@@ -128,7 +131,7 @@ fn answer(choice: &Choice, classes: &[usize]) -> String {
     out + "\n" + &lines(choice)
 }
 
-/// What to write in Rust.
+/// The lines of Rust that use a choice.
 fn lines(choice: &Choice) -> String {
     let n = choice.bands;
     let grid = format!("Bins<{}>", choice.range.replace("..", ", "));

@@ -1,4 +1,4 @@
-//! The command line.
+//! The options of the command line.
 
 use clap::{Parser, builder::PossibleValuesParser};
 use nanospectra_cli::failure::Failure;
@@ -9,32 +9,33 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "cost", version)]
 pub struct Args {
-    /// Times by fewer runs; figures stay the same
+    /// Measure times in fewer runs; all other figures stay the same
     #[arg(long)]
     pub quick: bool,
 
-    /// Only these studies, by name, commas between; without it all
+    /// Run only these studies, named with commas between; the default is all
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub only: Vec<String>,
 
-    /// Also write everything as JSON
+    /// Also write all tables as JSON
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 
-    /// Compare all but times with what is on record, and the README and the guides with that; exit code 1 if anything
-    /// differs
+    /// Compare all figures but times with the record, and the README, the guides and the pictures with what
+    /// the record makes of them; the exit code is 1 if anything differs
     #[arg(long)]
     pub check: bool,
 
-    /// Put what is measured on record: the JSON, the chart, the tables of the README and the guides
+    /// Record what is measured, and renew the pictures and the tables of the README and the guides
     #[arg(long, conflicts_with = "check")]
     pub bless: bool,
 
-    /// Only write the tables of the README, those of the guides and the chart anew, from what is on record
+    /// Measure nothing, and renew the pictures and the tables of the README and the guides
+    /// from the record
     #[arg(long, conflicts_with_all = ["check", "bless", "only", "json"])]
     pub docs: bool,
 
-    /// Only choose: the grid, the scheme and the bands for lamps and limits, from what is on record
+    /// Measure nothing, and choose the grid, the scheme and the bands for lamps and limits from the record
     #[arg(long, conflicts_with_all = ["check", "bless", "only", "json", "docs"])]
     pub advise: bool,
 
@@ -42,43 +43,43 @@ pub struct Args {
     pub limits: Limits,
 }
 
-/// What a choice is for, and what it may cost.
+/// The lamps that a choice is for, and what it may cost.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "With --advise")]
 pub struct Limits {
-    /// Classes of lamps, commas between: smooth, halophosphate, triphosphor, led, hid, lines; fl: both kinds;
-    /// rooms: all but lines; all
+    /// Classes of lamps, with commas between: smooth, halophosphate, triphosphor, led, hid, lines; or fl
+    /// (both fluorescent classes), rooms (all but lines), all
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "rooms", requires = "advise")]
     pub lamps: Vec<String>,
 
-    /// Instructions for one XYZ
+    /// The most instructions that one XYZ may take
     #[arg(long, value_name = "COUNT", value_parser = limit, requires = "advise")]
     pub most_instructions: Option<f64>,
 
-    /// The core that they are counted on
+    /// The core on which the instructions are counted
     #[arg(long, value_name = "CORE", value_parser = PossibleValuesParser::new(["m4f", "m0"]), default_value = "m4f",
         requires = "advise")]
     pub core: String,
 
-    /// Bytes of constants
+    /// The most bytes that the constants may take
     #[arg(long, value_name = "COUNT", value_parser = limit, requires = "advise")]
     pub most_bytes: Option<f64>,
 
-    /// CIEDE2000 in the mean of each class; the cheapest choice within it is taken
+    /// The largest mean CIEDE2000 of a class; the cheapest choice that keeps it is taken
     #[arg(long, value_name = "CIEDE2000", value_parser = limit, requires = "advise")]
     pub most_error: Option<f64>,
 
-    /// No weight below 0: no X, Y or Z below 0 under any filter
+    /// Only choices without negative weights, so that X, Y and Z are never negative
     #[arg(long, requires = "advise")]
     pub never_negative: bool,
 
-    /// The light is not known before the program runs, or changes
+    /// The light changes, or is not known before the program runs
     #[arg(long, requires = "advise")]
     pub light_changes: bool,
 }
 
 impl Args {
-    /// The command line, or what is wrong with it. `--help` and `--version` print and end here.
+    /// Reads the command line. With `--help` and `--version` it prints and ends the program.
     pub fn read() -> Result<Self, Failure> {
         Args::try_parse().map_err(|error| usage::refused("cost", &error))
     }

@@ -1,68 +1,68 @@
-//! Cells and columns that several studies have.
+//! The cells and columns that several studies share.
 
 use crate::counts::{Core, instructions};
 use crate::report::{Cell, Column};
 
-/// Instructions on the two cores.
+/// The columns of the instructions on both cores.
 pub const COUNTED: [Column; 2] =
     [Column::figure("m4f_instructions", "M4F instr."), Column::figure("m0_instructions", "M0 instr.")];
 
-/// Nanoseconds here.
+/// The column of the nanoseconds on this machine.
 pub const TIME: Column = Column::time("ns", "ns here");
 
-/// With columns for the instructions on record and the time, which [`priced`] fills.
+/// Appends the columns of the instructions on record and of the time, which [`priced`] fills.
 pub fn with_price(mut columns: Vec<Column>) -> Vec<Column> {
     columns.extend(COUNTED);
     columns.push(TIME);
     columns
 }
 
-/// A row with the instructions that are on record for `what`, and its time here.
+/// Appends to a row the instructions that are on record for `what`, and its time on this machine.
 pub fn priced(mut row: Vec<Cell>, what: &str, time: f64) -> Vec<Cell> {
     row.extend(counted(what));
     row.push(Cell::time(time));
     row
 }
 
-/// Of CIEDE2000.
+/// The columns of the mean, the 95th percentile and the largest CIEDE2000.
 pub const DIFFERENCES: [Column; 3] = [
     Column::figure("mean_de2000", "mean CIEDE2000"),
     Column::figure("p95_de2000", "95 %"),
     Column::figure("max_de2000", "max"),
 ];
 
-/// The same, where there are too few for a percentile.
+/// The columns of the least, the mean and the largest CIEDE2000, where there are too few for a percentile.
 pub const RANGE: [Column; 3] = [
     Column::figure("min_de2000", "CIEDE2000: least"),
     Column::figure("mean_de2000", "mean"),
     Column::figure("max_de2000", "most"),
 ];
 
-/// What [`COUNTED`] heads, as far as it is on record.
+/// The cells of the columns [`COUNTED`]; what is not on record is empty.
 pub fn counted(what: &str) -> [Cell; 2] {
     [Core::M4F, Core::M0].map(|core| Cell::count(instructions(core, what)))
 }
 
-/// Mean, 95th percentile and largest of some sizes; nothing of none.
+/// The mean, the 95th percentile and the largest of some sizes; empty if there are none.
 pub fn summary(mut sizes: Vec<f64>) -> [Cell; 3] {
     sizes.sort_by(f64::total_cmp);
     [Some(mean(&sizes)), sizes.get(sizes.len() * 95 / 100).copied(), sizes.last().copied()]
         .map(|size| size.filter(|size| size.is_finite()).map_or(Cell::Nothing, Cell::figure))
 }
 
-/// A number of bytes, to the last.
+/// A number of bytes with all its digits.
 pub fn bytes(count: usize) -> Cell {
     Cell::count(u32::try_from(count).ok())
 }
 
-/// Least, mean and largest of some sizes; nothing of none.
+/// The least, the mean and the largest of some sizes; empty if there are none.
 pub fn range(sizes: &[f64]) -> [Cell; 3] {
     let least = sizes.iter().copied().min_by(f64::total_cmp);
     let most = sizes.iter().copied().max_by(f64::total_cmp);
     [least, least.map(|_| mean(sizes)), most].map(|size| size.map_or(Cell::Nothing, Cell::figure))
 }
 
-/// Puts rows in the order of the names in their first cells; those of one name stay as they are.
+/// Sorts rows into the order in which `names` has their first cells; rows of one name keep their order.
 pub fn in_order<'a>(rows: &mut [Vec<Cell>], names: impl Iterator<Item = &'a str> + Clone) {
     rows.sort_by_key(|row| match &row[0] {
         Cell::Key(name) => names.clone().position(|known| known == name),
@@ -74,12 +74,12 @@ pub fn mean(sizes: &[f64]) -> f64 {
     sizes.iter().sum::<f64>() / sizes.len() as f64
 }
 
-/// The largest; nothing of none.
+/// The largest size; empty if there is none.
 pub fn largest(sizes: impl IntoIterator<Item = f64>) -> Cell {
     sizes.into_iter().max_by(f64::total_cmp).map_or(Cell::Nothing, Cell::figure)
 }
 
-/// Of choices by (error, cost): by how many that cost no more each is beaten, in error.
+/// For each choice (error, cost) the number of other choices that have a smaller error and cost no more.
 pub fn beaten(choices: &[(f64, f64)]) -> Vec<Cell> {
     let better = |&(error, cost): &(f64, f64)| {
         choices.iter().filter(|other| other.0 < error && other.1 <= cost).count()

@@ -1,12 +1,12 @@
-//! What was measured now, against what is on record.
+//! Compares what was measured now with what is on record.
 
 use serde_json::{Map, Value};
 
-/// By how much two figures may differ: one unit of their last digit.
+/// The relative difference up to which two figures are equal: one unit of their last digit.
 const ALIKE: f64 = 1.001e-3;
 
-/// One line for each figure, row or table that is not as recorded; times are not looked at. A table that was
-/// not measured now is none of them.
+/// Returns one line for each figure, row or table that differs from the record. Times are not compared, and
+/// neither are tables that were not measured now.
 pub fn differences(now: &Value, record: &Value) -> Vec<String> {
     let mut found = Vec::new();
     let (Some(now), Some(record)) = (now["tables"].as_object(), record["tables"].as_object()) else {

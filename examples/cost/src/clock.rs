@@ -1,12 +1,13 @@
-//! Nanoseconds of a call on this machine: for perspective, never to be compared with another's.
+//! Times a call on this machine. Such times give an impression, and must not be compared with those of
+//! another machine.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// How long a run should last to be told from the clock's own steps.
+/// How long a run should last, so that the steps of the clock do not matter.
 const RUN: Duration = Duration::from_micros(200);
 
-/// The median of `runs` runs of many calls each, in nanoseconds a call.
+/// Returns the nanoseconds of one call, as the median of `runs` runs of many calls each.
 pub fn nanoseconds<R>(runs: usize, mut call: impl FnMut() -> R) -> f64 {
     let mut calls = 1_u32;
     while timed(calls, &mut call) < RUN && calls < 1 << 24 {

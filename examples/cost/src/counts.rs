@@ -1,9 +1,9 @@
-//! Instructions and bytes, as `tests/devices.sh` counted them in QEMU and keeps them on record.
+//! The instructions and bytes that are on record, as `tests/devices.sh` counted them in QEMU.
 
-/// "target profile what number unit", one a line.
+/// The record, with one count on each line: "target profile what number unit".
 const RECORD: &str = include_str!("../../../tests/data/instructions.txt");
 
-/// Where instructions are counted.
+/// The cores on which instructions are counted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Core {
     M4F,
@@ -26,17 +26,17 @@ impl Core {
     }
 }
 
-/// Instructions of `what` at opt-level 3; `None` if nobody counted that there.
+/// Returns the instructions of `what` at opt-level 3, or `None` if they are not on record.
 pub fn instructions(core: Core, what: &str) -> Option<u32> {
     instructions_as(core, Profile::Release, what)
 }
 
-/// The same as built by `profile`.
+/// Returns the instructions of `what` as built by `profile`.
 pub fn instructions_as(core: Core, profile: Profile, what: &str) -> Option<u32> {
     recorded(core.target(), profile, what, "instructions")
 }
 
-/// One number of the record.
+/// Returns one number of the record.
 pub fn recorded(target: &str, profile: Profile, what: &str, unit: &str) -> Option<u32> {
     let profile = match profile {
         Profile::Release => "release",

@@ -1,15 +1,16 @@
-//! The report as JSON, and what is on record.
+//! The report as JSON, and the report on record.
 
 use crate::report::{Cell, Kind, Table};
 use nanospectra_cli::failure::Failure;
 use serde_json::{Map, Value, json};
 
-/// What `--json` wrote when figures were last recorded.
+/// The text of the record, as `--bless` last wrote it.
 const RECORD: &str = include_str!("../data/cost.json");
-/// Where that is in the repository.
+/// Where the record is in the repository.
 pub const PLACE: &str = "examples/cost/data/cost.json";
 
-/// Of each table its columns and its rows; each row an object by column, `null` for what was not measured.
+/// Makes the report: for each table its columns and its rows. A row is an object with a value for each
+/// column, `null` where nothing was measured.
 pub fn report(tables: &[Table]) -> Value {
     let tables: Map<String, Value> =
         tables.iter().map(|table| (table.id.to_owned(), of_table(table))).collect();
@@ -48,7 +49,7 @@ fn of_cell(cell: &Cell) -> Value {
     }
 }
 
-/// The record with the tables of the report in place of those that it had.
+/// Replaces the tables of the record that the report has too.
 pub fn updated(mut record: Value, report: &Value) -> Value {
     for (id, table) in report["tables"].as_object().into_iter().flatten() {
         record["tables"][id] = table.clone();
@@ -56,10 +57,10 @@ pub fn updated(mut record: Value, report: &Value) -> Value {
     record
 }
 
-/// The report as a file, a row a line.
+/// The text of the file, with one row on each line.
 pub fn text(report: &Value) -> String {
     let pretty = serde_json::to_string_pretty(report).unwrap_or_default();
-    // Rows on one line each: a changed figure is one line of a diff.
+    // With a row on one line, a changed figure changes one line of a diff.
     let mut out = String::with_capacity(pretty.len());
     let mut in_row = false;
     for line in pretty.lines() {
@@ -83,7 +84,7 @@ pub fn text(report: &Value) -> String {
     out
 }
 
-/// The report on record.
+/// Reads the report on record.
 pub fn recorded() -> Result<Value, Failure> {
     serde_json::from_str(RECORD).map_err(|error| {
         Failure::of(PLACE, format_args!("{error}; write {{ \"tables\": {{}} }} into it and run with --bless"))

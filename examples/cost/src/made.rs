@@ -6,23 +6,27 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where the chart is that the documentation shows.
-const CHART: &str = "examples/cost/data/frontier.svg";
-/// What has tables of the record, besides the guides.
+/// The pictures of the guide, which README.md shows too.
+const CHAIN: &str = "src/guide/chain.svg";
+const FRONTIER: &str = "src/guide/frontier.svg";
+/// The pages with tables of the record are the README and every guide.
 const README: &str = "README.md";
 const GUIDES: &str = "src/guide";
 
-/// Each file, and its text as it should be.
+/// The path of each file, and the text that it should have.
 pub type Made = Vec<(String, String)>;
 
-/// From the repository's root.
+/// Where a path from the root of the repository is on this machine.
 pub fn in_repository(path: &str) -> PathBuf {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
 }
 
-/// What the record makes of them.
+/// Makes the files from the record.
 pub fn of(record: &Value) -> Result<Made, Failure> {
-    let mut made = vec![(CHART.to_owned(), picture::frontier(record))];
+    let mut made = vec![
+        (CHAIN.to_owned(), picture::chain::chain()),
+        (FRONTIER.to_owned(), picture::frontier::frontier(record)),
+    ];
     for page in pages()? {
         let text = docs::rewritten(&page, &read(&page)?, record)?;
         made.push((page, text));
@@ -30,7 +34,7 @@ pub fn of(record: &Value) -> Result<Made, Failure> {
     Ok(made)
 }
 
-/// README.md and every guide.
+/// Lists README.md and every guide.
 fn pages() -> Result<Vec<String>, Failure> {
     let unreadable = |error: std::io::Error| {
         Failure::of(GUIDES, format_args!("cannot be read ({}); restore it", error.kind()))
@@ -46,11 +50,12 @@ fn pages() -> Result<Vec<String>, Failure> {
     Ok(pages)
 }
 
+/// Writes the files.
 pub fn save(made: &Made) -> Result<(), Failure> {
     made.iter().try_for_each(|(path, text)| write(&in_repository(path), text))
 }
 
-/// One line for each file that is not as it should be.
+/// Returns a line for each file that differs from what the record makes of it.
 pub fn stale(made: &Made) -> Result<Vec<String>, Failure> {
     let mut stale = Vec::new();
     for (path, text) in made {
@@ -66,6 +71,7 @@ fn read(path: &str) -> Result<String, Failure> {
         .map_err(|error| Failure::of(path, format_args!("cannot be read ({}); restore it", error.kind())))
 }
 
+/// Writes one file.
 pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
     fs::write(path, text).map_err(|error| {
         Failure::of(path.display(), format_args!("cannot be written ({}); name another place", error.kind()))

@@ -1,10 +1,12 @@
-//! What accuracy costs in time, measured again.
+//! Measures what accuracy costs in instructions, bytes and time.
 //!
-//! `cargo run --release -p nanospectra-cost`; `--help` says the rest. Each of the [`studies`] compares
-//! choices with an f64 reference and puts what they cost beside: instructions on record ([`counts`]), bytes,
-//! and nanoseconds here ([`clock`]). What it finds are tables ([`report`]), for a terminal ([`text`]) or a
-//! program ([`json`]); [`check`] compares them with those on record. Of the record ([`record`]) the chart
-//! ([`picture`]) and the tables of the documentation ([`docs`]) are [`made`], and by it [`advise`] chooses.
+//! Run it with `cargo run --release -p nanospectra-cost`, and with `--help` for the options. Each of the
+//! [`studies`] compares several ways of computing the same with an f64 reference, and lists what each way
+//! costs: the instructions on record ([`counts`]), bytes, and nanoseconds on this machine ([`clock`]). A
+//! study gives tables ([`report`]), which are printed for a terminal ([`text`]) or written for a program
+//! ([`json`]). [`check`] compares them with the tables on record. From the record ([`record`]) the program
+//! makes the pictures of the guide ([`picture`]) and the tables of the README and the guides ([`docs`]), as files that
+//! [`made`] writes and compares, and [`advise`] chooses from it.
 
 mod advise;
 mod args;
@@ -74,7 +76,7 @@ fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// What the studies find, each printed as it comes.
+/// Runs the studies, prints each table when it is ready, and returns all tables.
 fn measured(args: &Args) -> Result<Vec<Table>, Failure> {
     if let Some(word) = args.only.iter().find(|word| STUDIES.iter().all(|study| study.name != **word)) {
         let names: Vec<&str> = STUDIES.iter().map(|study| study.name).collect();
@@ -90,10 +92,10 @@ fn measured(args: &Args) -> Result<Vec<Table>, Failure> {
     let runs = if args.quick { 3 } else { 31 };
     let mut tables = Vec::new();
     for (k, study) in chosen.iter().enumerate() {
-        // Progress that cannot be shown is no reason to stop.
+        // The study goes on if its progress cannot be shown.
         let _ = writeln!(io::stderr(), "study {} of {}: {}", k + 1, chosen.len(), study.name);
         for table in (study.run)(runs) {
-            // Who checks wants the differences alone.
+            // A check prints nothing but the differences.
             if !args.check {
                 print(&text::table(&table))?;
             }

@@ -1,5 +1,5 @@
-//! The lamps and the samples every nanometer: sums of 471 terms, for what has nothing to do with the number
-//! of bins.
+//! The lamps and the samples at every nanometer, for studies in which the number of bins plays no part. XYZ
+//! is a sum of 471 terms here.
 
 use crate::xyz::lamps::{self, Class};
 use model::fine::Curve;
@@ -8,26 +8,29 @@ use model::lab::lab;
 use model::tables::samples;
 use std::sync::OnceLock;
 
-/// At 360, 361, .. 830 nm.
+/// The number of nodes: 360, 361, .. 830 nm.
 pub const NODES: usize = 471;
 
+/// The wavelength of a node.
 pub fn nm(k: usize) -> f64 {
     360.0 + k as f64
 }
 
+/// All lamps and samples.
 pub struct World {
     pub lights: Vec<Light>,
     /// The 99 color evaluation samples.
     pub ces: Vec<Vec<f64>>,
 }
 
+/// A lamp with its power at each node.
 pub struct Light {
     pub name: String,
     pub class: Class,
     pub power: Vec<f64>,
 }
 
-/// Read once.
+/// Returns the lamps and samples, which are read once.
 pub fn world() -> &'static World {
     static WORLD: OnceLock<World> = OnceLock::new();
     WORLD.get_or_init(|| World {
@@ -49,14 +52,14 @@ pub fn world() -> &'static World {
 }
 
 impl World {
-    /// A light by its name.
+    /// Finds a light by its name.
     pub fn light(&self, name: &str) -> &Light {
         self.lights.iter().find(|light| light.name == name).unwrap_or_else(|| panic!("no lamp {name}"))
     }
 }
 
-/// Read every 0.1 nm, each reading shared by the two nodes beside it: a line narrower than a nanometer loses
-/// nothing, wherever it lies.
+/// Samples a light every 0.1 nm and divides each sample between the two nodes beside it, so that a line
+/// narrower than a nanometer keeps its power wherever it lies.
 fn shared_out(light: &Curve) -> Vec<f64> {
     let mut power = vec![0.0; NODES];
     for step in 0..=10 * (NODES - 1) {
@@ -70,14 +73,14 @@ fn shared_out(light: &Curve) -> Vec<f64> {
     power
 }
 
-/// A light in front of an eye: what makes XYZ of reflectances.
+/// An eye in a certain light, which sees reflectances as XYZ.
 pub struct Lit {
     rows: [Vec<f64>; 3],
     pub white: [f64; 3],
 }
 
 impl Lit {
-    /// By color-matching functions, times `scale`.
+    /// Multiplies color-matching functions by a light and by `scale`.
     pub fn new(cmf: &[Vec<f64>; 3], power: &[f64], scale: f64) -> Self {
         let rows = cmf.each_ref().map(|row| -> Vec<f64> {
             row.iter().zip(power).map(|(weight, power)| scale * weight * power).collect()
@@ -86,18 +89,18 @@ impl Lit {
         Lit { rows, white }
     }
 
-    /// XYZ of a reflectance.
+    /// Returns XYZ of a reflectance.
     pub fn sees(&self, surface: &[f64]) -> [f64; 3] {
         self.rows.each_ref().map(|row| row.iter().zip(surface).map(|(weight, share)| weight * share).sum())
     }
 
-    /// Lab of a reflectance with the light as white.
+    /// Returns Lab of a reflectance, with the light as white.
     pub fn lab(&self, surface: &[f64]) -> [f64; 3] {
         lab(self.sees(surface), self.white)
     }
 }
 
-/// The factor that gives a light Y = 100.
+/// Returns the factor by which a light has Y = 100.
 pub fn for_y_100(cmf: &[Vec<f64>; 3], power: &[f64]) -> f64 {
     100.0 / cmf[1].iter().zip(power).map(|(weight, power)| weight * power).sum::<f64>()
 }

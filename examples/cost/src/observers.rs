@@ -1,4 +1,4 @@
-//! Who looks: what an error means beside the choice of an observer.
+//! How much the choice of an observer changes a color, as a measure of how small an error should be.
 
 use crate::cells::{DIFFERENCES, summary};
 use crate::nanometers::{Lit, for_y_100, world};
@@ -40,7 +40,7 @@ fn rows() -> Vec<Vec<Cell>> {
                 world.ces.iter().map(move |sample| de2000(one.lab(sample), two.lab(sample)))
             });
             let mut row = vec![Cell::key(name), Cell::key(class.name())];
-            // (Light without blue has no Lab.)
+            // A light without any blue has no Lab.
             row.extend(summary(differences.filter(|size| size.is_finite()).collect()));
             all.push(row);
         }

@@ -1,14 +1,15 @@
-//! The sweep of schemes as a report has it: what advice, chart and README are made of.
+//! The schemes, ranges and numbers of bands that a report compares. The advice, the chart and the tables of
+//! the README are made from them.
 
 use crate::counts::Core;
 use serde_json::Value;
 
-/// Classes of lamps, as the columns of the sweep are called.
+/// The classes of lamps, as the columns of the report name them.
 pub const CLASSES: [&str; 6] = ["smooth", "halophosphate", "triphosphor", "led", "hid", "lines"];
 
-/// A scheme on a range with so many bands: CIEDE2000 of each class, and what it costs.
+/// A scheme on a range with a number of bands: its CIEDE2000 for each class of lamps, and what it costs.
 pub struct Choice {
-    /// nm; `-` of colors.
+    /// The range in nm, or `-` for a scheme of RGB colors.
     pub range: String,
     pub scheme: String,
     pub bands: u32,
@@ -17,13 +18,13 @@ pub struct Choice {
     pub max: [f64; CLASSES.len()],
     m4f: Option<f64>,
     m0: Option<f64>,
-    /// Bytes of constants, and of each surface.
+    /// The bytes of its constants, and of each surface.
     pub constants: f64,
     pub surface: f64,
 }
 
 impl Choice {
-    /// Instructions on a core, if counted.
+    /// Returns the instructions on a core, if they were counted.
     pub fn instructions(&self, core: Core) -> Option<f64> {
         match core {
             Core::M4F => self.m4f,
@@ -31,17 +32,18 @@ impl Choice {
         }
     }
 
-    /// The mean over the classes of tables: all but lines.
+    /// Returns the mean over all classes but that of spectral lines, which are no lamps for rooms.
     pub fn of_lamps(&self) -> f64 {
         let lamps = &self.mean[..CLASSES.len() - 1];
         lamps.iter().sum::<f64>() / lamps.len() as f64
     }
 
-    /// Whether it is the same scheme on the same range with as many bands.
+    /// Whether this is the choice of the given scheme, range and number of bands.
     pub fn is(&self, range: &str, scheme: &str, bands: u32) -> bool {
         self.range == range && self.scheme == scheme && self.bands == bands
     }
 
+    /// Returns the choice in words.
     pub fn name(&self) -> String {
         match self.range.as_str() {
             "-" => self.scheme.clone(),
@@ -50,7 +52,7 @@ impl Choice {
     }
 }
 
-/// Every choice of a report; none if it has no sweep.
+/// Returns every choice of a report; none if the report does not have the table.
 pub fn choices(report: &Value) -> Vec<Choice> {
     let spreads = rows(report, "xyz-spread");
     rows(report, "xyz")
@@ -78,26 +80,17 @@ pub fn choices(report: &Value) -> Vec<Choice> {
         .collect()
 }
 
-/// The choices for all lamps of tables that no other beats, from cheap to dear.
-pub fn front<'a>(report: &Value, choices: &'a [Choice]) -> Vec<&'a Choice> {
-    let rows = rows(report, "frontier").iter().filter(|row| text(row, "lamps") == "lamps");
-    rows.filter_map(|row| {
-        let bands = text(row, "bands").parse().ok()?;
-        choices.iter().find(|choice| choice.is(text(row, "range"), text(row, "scheme"), bands))
-    })
-    .collect()
-}
-
-/// The rows of a table; none if the report does not have it.
+/// Returns the rows of a table; none if the report does not have it.
 pub fn rows<'a>(report: &'a Value, table: &str) -> &'a [Value] {
     report["tables"][table]["rows"].as_array().map_or(&[], |rows| rows)
 }
 
+/// Returns a cell of a row as text; empty if it is none.
 pub fn text<'a>(row: &'a Value, column: &str) -> &'a str {
     row[column].as_str().unwrap_or("")
 }
 
-/// `None` for what was not measured.
+/// Returns a cell of a row as a number, or `None` if it was not measured.
 pub fn number(row: &Value, column: &str) -> Option<f64> {
     row[column].as_f64()
 }

@@ -1,37 +1,36 @@
-//! What a study found: tables of figures that anyone can measure again, beside times that only this machine
-//! has.
+//! What a study finds: tables of figures that are the same on every machine, and of times that are not.
 
 use std::borrow::Cow;
 
 /// One table of the report.
 pub struct Table {
-    /// A word for the JSON, the pictures and the checks: `xyz`, `math`.
+    /// The name of the table in the JSON and in checks, such as `xyz` or `math`.
     pub id: &'static str,
-    /// One line above it.
+    /// The title in one line.
     pub title: String,
-    /// What was measured, against what, in a few sentences.
+    /// A few sentences that say what was measured, and with what it is compared.
     pub about: String,
     pub columns: Vec<Column>,
     pub rows: Vec<Vec<Cell>>,
 }
 
-/// What one number of each row means.
+/// A column of a table: what its cells mean.
 #[derive(Clone)]
 pub struct Column {
-    /// As the JSON calls it: `mean_de2000`, `m4f_instructions`.
+    /// The name in the JSON, such as `mean_de2000` or `m4f_instructions`.
     pub id: Cow<'static, str>,
-    /// As the table is headed.
+    /// The heading for readers.
     pub heading: Cow<'static, str>,
     pub kind: Kind,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Names the choice; all keys together are different in every row.
+    /// A name of the choice. All keys together differ from row to row.
     Key,
-    /// Measured; the same on every machine: an error, a count of instructions or of bytes. Less is better.
+    /// An error, a count of instructions or of bytes, which is the same on every machine. Less is better.
     Figure,
-    /// Nanoseconds here and now: shown, and never compared.
+    /// Nanoseconds on this machine, which are shown and never compared.
     Time,
 }
 
@@ -39,7 +38,7 @@ pub enum Cell {
     Key(String),
     Figure(f64),
     Time(f64),
-    /// Not measured, or there is no such thing.
+    /// An empty cell: nothing was measured, or there is nothing to measure.
     Nothing,
 }
 
@@ -66,12 +65,12 @@ impl Cell {
         Cell::Key(name.to_string())
     }
 
-    /// To the four digits that a report shows and a check compares.
+    /// A figure, rounded to the four digits that a report shows and a check compares.
     pub fn figure(value: f64) -> Self {
         Cell::Figure(rounded(value))
     }
 
-    /// A count, of which all digits are kept.
+    /// A count, which keeps all its digits.
     pub fn count(value: Option<u32>) -> Self {
         value.map_or(Cell::Nothing, |count| Cell::Figure(f64::from(count)))
     }

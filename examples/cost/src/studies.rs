@@ -1,13 +1,13 @@
-//! Every study, in the order of the report.
+//! The list of all studies, in the order of the report.
 
 use crate::report::Table;
 use crate::{cct, effects, math, observers, sums, tables, upsample, xyz};
 
-/// A question, and what answers it.
+/// A study: its name, and the function that measures it.
 pub struct Study {
-    /// As `--only` calls it.
+    /// The name that `--only` takes.
     pub name: &'static str,
-    /// Every time is the median of so many runs.
+    /// Measures the tables of the study. The argument is the number of runs of which each time is the median.
     pub run: fn(usize) -> Vec<Table>,
 }
 

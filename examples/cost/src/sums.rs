@@ -1,4 +1,4 @@
-//! Sums of products, by the order of their terms.
+//! Compares sums of products by the order in which their terms are added.
 
 use crate::cells::{priced, with_price};
 use crate::clock::nanoseconds;
@@ -10,7 +10,7 @@ use nanospectra::{Bins, Curve, Factor, Grid, Nodes, Observer, Spectrum};
 use nanospectra_hard::yardstick::sums::{naive, pairwise};
 use std::hint::black_box;
 
-/// Half a unit in the last place of 1: the rounding of one operation.
+/// Half a unit in the last place of 1, which is the largest rounding error of one operation.
 const E: f64 = 1.0 / 16_777_216.0;
 
 const SURFACES: usize = 10_000;
@@ -83,8 +83,9 @@ fn of<const N: usize, G: Grid>(runs: usize) -> Vec<Vec<Cell>> {
     .collect()
 }
 
-/// With what each addition loses kept apart and added at the end; products are rounded as everywhere.
+/// Collects what each addition loses and adds it at the end. Products are rounded as in the other sums.
 ///
+/// # Reference
 /// A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM 54 (1974).
 fn neumaier(a: &[f32], b: &[f32]) -> f32 {
     let (mut sum, mut lost) = (0.0f32, 0.0f32);

@@ -1,4 +1,4 @@
-//! The color-matching functions in fewer bytes.
+//! Compares ways of storing the color-matching functions in fewer bytes.
 
 use crate::cells::{COUNTED, DIFFERENCES, beaten, bytes, counted, in_order, mean, summary};
 use crate::nanometers::{Light, Lit, NODES, for_y_100, nm, world};
@@ -33,10 +33,10 @@ pub fn tables(_: usize) -> Vec<Table> {
     }]
 }
 
-/// Three functions every nanometer, and what they take.
+/// The three functions at every nanometer, as a table of fewer bytes gives them.
 struct Stored {
     name: &'static str,
-    /// As its count is on record.
+    /// The name of its count on record.
     word: &'static str,
     bytes: usize,
     cmf: [Vec<f64>; 3],
@@ -58,7 +58,7 @@ fn stored(exact: &[Vec<f64>; 3]) -> Vec<Stored> {
     let lobes = || {
         let values = (0..NODES).map(|k| color_matching::<Portable>(nm(k) as f32));
         let row = |c: usize| values.clone().map(move |xyz| f64::from(xyz[c])).collect();
-        // Seven lobes of four numbers.
+        // There are seven lobes of four numbers each.
         Stored { name: "seven lobes (Wyman)", word: "lobes-point", bytes: 7 * 4 * 4, cmf: [0, 1, 2].map(row) }
     };
     vec![
@@ -78,14 +78,14 @@ fn single(value: f64) -> f64 {
     f64::from(value as f32)
 }
 
-/// IEEE 754's binary16: 11 bits of mantissa, steps of 2^-24 below 2^-14.
+/// Rounds to binary16 of IEEE 754, which has 11 significant bits, and steps of 2^-24 below 2^-14.
 fn half(value: f64) -> f64 {
     let exponent = (value.to_bits() >> 52) as i32 - 1023;
     let step = 2f64.powi(exponent.max(-14) - 10);
     (value / step).round_ties_even() * step
 }
 
-/// Every fifth value, straight lines between, nothing beyond.
+/// Takes every fifth value, interpolates linearly between them, and is zero beyond them.
 fn every_5_nm(row: &[f64], first: usize, last: usize, round: &dyn Fn(f64) -> f64) -> Vec<f64> {
     let between = |k: usize| {
         let (from, t) = (k / 5 * 5, (k % 5) as f64 / 5.0);
@@ -94,7 +94,7 @@ fn every_5_nm(row: &[f64], first: usize, last: usize, round: &dyn Fn(f64) -> f64
     (0..NODES).map(|k| if (first..=last).contains(&k) { between(k) } else { 0.0 }).collect()
 }
 
-/// A lamp as the exact functions see it.
+/// A lamp and the samples under it as the exact functions see them.
 struct Truth<'a> {
     light: &'a Light,
     scale: f64,

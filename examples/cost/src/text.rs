@@ -1,8 +1,8 @@
-//! The report for a terminal.
+//! Prints tables for a terminal.
 
 use crate::report::{Cell, Kind, Table};
 
-/// A table, its columns aligned.
+/// Returns a table as text with aligned columns.
 pub fn table(table: &Table) -> String {
     let mut lines: Vec<Vec<String>> =
         vec![table.columns.iter().map(|column| column.heading.to_string()).collect()];
@@ -34,7 +34,7 @@ fn cell(cell: &Cell) -> String {
     }
 }
 
-/// Three digits of what is small, all of what counts.
+/// Returns a number with three significant digits, and whole numbers with all their digits.
 pub fn figure(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),

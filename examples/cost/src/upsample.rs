@@ -1,4 +1,5 @@
-//! From RGB to a spectrum: how it comes back, and what it looks like under other lamps.
+//! Compares methods that make a spectrum from RGB: how well the color is reproduced, and how the spectrum
+//! looks under other lamps.
 
 use crate::cells::{bytes as of_bytes, priced, with_price};
 use crate::clock::nanoseconds;
@@ -19,13 +20,13 @@ use rgb2spec::RGB2Spec;
 use rgb2spec::optimize::{gamut::Gamut, optimize};
 use std::hint::black_box;
 
-/// Where colors are compared, and where they are priced.
+/// The grid on which colors are compared, and the grid for which costs are given.
 type Wide = Nodes<380, 780>;
 type Few = Nodes<400, 700>;
 const WIDE: usize = 81;
 const FEW: usize = 31;
 
-/// Cells along an edge of the table of `rgb2spec`.
+/// The cells along an edge of the table of `rgb2spec`.
 const CELLS: usize = 16;
 
 const LAMPS: [(&str, &str); 4] = [
@@ -71,7 +72,7 @@ fn wide(xyz: [f32; 3]) -> [f64; 3] {
 struct Study {
     viewing: Viewing<WIDE, Wide>,
     lamps: [Observer<3, WIDE, Factor, Wide>; 4],
-    /// Of those within sRGB, what they reflect and their RGB under D65.
+    /// The samples within sRGB: the reflectance of each, and its RGB under D65.
     samples: Vec<(Reflectance<WIDE, Wide>, Rgb<Srgb>)>,
 }
 
@@ -146,7 +147,8 @@ impl Study {
         })
     }
 
-    /// Mean, most and wrong codes in percent.
+    /// Makes spectra from RGB and computes their RGB again: the mean and the largest CIEDE2000, and the
+    /// percentage of codes that are wrong.
     fn there_and_back(&self, method: Method<'_>) -> [Cell; 3] {
         let (mut sum, mut most, mut wrong, mut count) = (0.0, 0.0_f64, 0.0, 0.0);
         let codes = || (0..=255u8).step_by(15);
@@ -160,7 +162,8 @@ impl Study {
         [sum / count, most, 100.0 * wrong / count].map(Cell::figure)
     }
 
-    /// Mean CIEDE2000 under each of the lamps, of what is `made` of the RGB of a sample.
+    /// Returns the mean CIEDE2000 under each of the lamps between the samples and what is `made` of their
+    /// RGB.
     fn under_lamps(
         &self,
         made: impl Fn(Rgb<Srgb>, &Observer<3, WIDE, Factor, Wide>) -> [f64; 3],
@@ -197,7 +200,7 @@ fn by_table<const N: usize, G: Grid>(table: &RGB2Spec, rgb: Rgb<Srgb>) -> Reflec
     Reflectance::at_centers(|nm| rgb2spec::eval_precise(coefficients, nm))
 }
 
-/// What the numbers of a table of the crate take as f32.
+/// Returns the bytes that the numbers of a table of the crate take as f32.
 fn bytes_of(file: &str) -> usize {
     let table = table(file);
     size_of::<f32>() * table.len() * (table.names().len() + 1)

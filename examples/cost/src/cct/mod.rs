@@ -1,4 +1,4 @@
-//! Correlated color temperature, by the crate and by what others use.
+//! Compares methods for the correlated color temperature: that of the crate, and those that others use.
 
 mod printed;
 
@@ -20,7 +20,7 @@ struct Method {
 
 fn methods() -> Vec<Method> {
     let own = |[u, v]: [f32; 2]| Uv1960 { u, v }.cct().near().map(|(cct_k, _)| cct_k);
-    // McCamy's goes by x and y.
+    // McCamy's formula takes x and y.
     let by_xy = |[u, v]: [f32; 2]| {
         let below = 2.0 * u - 8.0 * v + 4.0;
         Some(mccamy([3.0 * u / below, 2.0 * v / below]))
@@ -49,12 +49,12 @@ fn methods() -> Vec<Method> {
     ]
 }
 
-/// K.
+/// The limits of the parts of the plane, in K and in Duv.
 const TEMPERATURES: [f64; 9] =
     [1000.0, 1667.0, 2500.0, 4000.0, 6500.0, 10_000.0, 25_000.0, 100_000.0, 1_000_000.0];
 const DUVS: [f64; 4] = [0.0, 0.005, 0.02, 0.05];
 
-/// A part of the plane, and points of it: the mired and u, v.
+/// A part of the plane, with points in it: the mired of each, and its u and v.
 struct Band {
     kelvins: [f64; 2],
     duvs: [f64; 2],
@@ -63,7 +63,7 @@ struct Band {
 
 impl Band {
     fn new(kelvins: [f64; 2], duvs: [f64; 2]) -> Self {
-        // In the middle of 40 by 10 cells, above and below the locus.
+        // The points are the centers of 40 by 10 cells above the locus, and of as many below it.
         let middle = |[from, to]: [f64; 2], k: u32, cells: u32| {
             from + (to - from) * (f64::from(k) + 0.5) / f64::from(cells)
         };
@@ -77,7 +77,7 @@ impl Band {
         Band { kelvins, duvs, points: points.collect() }
     }
 
-    /// Errors in mired, where there is an answer.
+    /// Returns the errors in mired of the points for which the method has an answer.
     fn errors(&self, method: &Method) -> Vec<f64> {
         let error = |(mired, uv): &(f64, [f32; 2])| {
             Some((1e6 / f64::from((method.cct_k)(*uv)?) - mired).abs()).filter(|error| error.is_finite())
@@ -85,7 +85,7 @@ impl Band {
         self.points.iter().filter_map(error).collect()
     }
 
-    /// Where lamps for rooms are.
+    /// Whether lamps for rooms lie in this part.
     fn is_usual(&self) -> bool {
         self.kelvins[0] >= 2500.0 && self.kelvins[1] <= 10_000.0 && self.duvs[1] <= 0.02
     }

@@ -1,18 +1,18 @@
-//! Ohno's method as it is printed: with squares and their differences, in f32, on a table of any step.
+//! Ohno's method as it is printed, with squares and their differences, in f32 and on a table of any step.
 
 use model::cct::planckian_uv;
 
-/// His correction for the curvature of the locus, for steps of 1 %; it goes with the square of the step.
+/// Ohno's correction for the curvature of the locus, for steps of 1 %. It grows with the square of the step.
 const CORRECTION: f32 = 9e-5;
 
-/// K, u and v in equal steps of the logarithm.
+/// A table of temperature, u and v, in equal steps of the logarithm of the temperature.
 pub struct Printed {
     rows: Vec<[f32; 3]>,
     correction: f32,
 }
 
 impl Printed {
-    /// From 1000 K to 100 000 K by steps of so many percent.
+    /// Makes the table from 1000 K to 100 000 K, in steps of so many percent.
     pub fn new(percent: f64) -> Self {
         let ratio = 1.0 + percent / 100.0;
         let steps = (100f64.ln() / ratio.ln()).ceil() as i32 + 1;
@@ -28,7 +28,7 @@ impl Printed {
         size_of_val(self.rows.as_slice())
     }
 
-    /// K; `None` beyond the ends of the table.
+    /// Returns the temperature in K, or `None` beyond the ends of the table.
     ///
     /// # Reference
     /// Y. Ohno, "Practical use and calculation of CCT and Duv", Leukos 10 (2014), equations 6 to 14.

@@ -1,4 +1,4 @@
-//! Tables whose words are those of the page: the counts of instructions and bytes are put into their cells.
+//! Tables that a page words itself. Only the counts of instructions and bytes are put into their cells.
 
 use super::grouped;
 use crate::counts::{self, Profile};
@@ -8,14 +8,16 @@ const M4F: &str = "thumbv7em-none-eabihf";
 const BOARDS: [&str; 4] =
     [M4F, "thumbv8m.main-none-eabihf", "thumbv6m-none-eabi", "riscv32imac-unknown-none-elf"];
 
-/// What a cell shows, joined by " / ": where, how built, and which count of the row.
+/// The counts that a cell shows with " / " between them: of each the target, the profile, and which count of
+/// the row it is.
 type Cell = &'static [(&'static str, Profile, usize)];
 
 struct Table {
     name: &'static str,
-    /// The column of each cell, from 0.
+    /// The cells that are filled, each with its column, counted from 0.
     cells: &'static [(usize, Cell)],
-    /// The label in the first column; the counts of the row, and their unit.
+    /// The rows that are filled: the label in the first column, the names of the counts on record, and their
+    /// unit.
     rows: &'static [(&'static str, &'static [&'static str], &'static str)],
 }
 
@@ -66,7 +68,7 @@ const TABLES: [Table; 2] = [
     },
 ];
 
-/// The table of this name with today's counts in it; rows that have none stay as they are.
+/// Returns the table of this name with the counts on record in it. Other rows stay as they are.
 pub fn table(page: &str, name: &str, old: &str) -> Result<String, Failure> {
     let spec = TABLES.iter().find(|table| table.name == name);
     let spec = spec.ok_or_else(|| Failure::of(page, format_args!("{name} is no table; see its marks")))?;
@@ -99,11 +101,11 @@ pub fn table(page: &str, name: &str, old: &str) -> Result<String, Failure> {
     }
 }
 
-/// One part of a cell; none if the row has no such count.
+/// Returns one count of a cell, or `None` if the row has no such count.
 fn count((board, profile, which): &(&str, Profile, usize), counted: &[&str], unit: &str) -> Option<String> {
     let what = counted.get(*which)?;
     let count = if unit == "bytes" {
-        // Code and tables of an image are one price.
+        // The flash of an image is its code and its tables.
         ["code", "tables"]
             .into_iter()
             .map(|part| counts::recorded(board, *profile, &format!("{what}-{part}"), unit))

@@ -1,4 +1,4 @@
-//! Tables made whole from the report.
+//! Tables that are made completely from the report.
 
 use super::grouped;
 use crate::counts::{self, Core, Profile};
@@ -6,8 +6,11 @@ use crate::record::{CLASSES, Choice, choices, number, rows, text};
 use crate::text::figure;
 use serde_json::Value;
 
-/// The table of the record that a table of this name needs, and what makes it of a report.
-pub fn maker(name: &str) -> Option<(&'static str, fn(&Value) -> String)> {
+/// Makes a table from a report.
+type Maker = fn(&Value) -> String;
+
+/// Finds the function that makes the table of this name, and the table of the record that it needs.
+pub fn maker(name: &str) -> Option<(&'static str, Maker)> {
     match name {
         "headline" => Some(("xyz", |report| headline(&choices(report)))),
         "xyz" => Some(("xyz", |report| xyz(&choices(report)))),
@@ -20,7 +23,7 @@ pub fn maker(name: &str) -> Option<(&'static str, fn(&Value) -> String)> {
     }
 }
 
-/// Rows of the sweep that say it all: range, scheme, bands, and what the guide calls it.
+/// The choices that the guide shows: range, scheme, bands, and the label of the row.
 const SHOWN: [(&str, &str, u32, &str); 12] = [
     ("380..730", "folded spline", 8, "8"),
     ("380..730", "folded spline", 12, "12"),
@@ -36,7 +39,7 @@ const SHOWN: [(&str, &str, u32, &str); 12] = [
     ("-", "sRGB product", 3, "a product of sRGB colors"),
 ];
 
-/// Rows for a reader who has two minutes. All of them are counted in one build.
+/// The choices that README.md shows, with instructions that are counted in one build.
 const FIRST: [(&str, &str, u32, &str); 6] = [
     ("-", "sRGB product", 3, "product of two sRGB colors"),
     ("400..700", "points", 31, "31 samples, every 10 nm, *not folded*"),
@@ -46,7 +49,7 @@ const FIRST: [(&str, &str, u32, &str); 6] = [
     ("380..730", "folded spline", 81, "81 folded bands"),
 ];
 
-/// The mean error under two kinds of lamps and the largest under all, the instructions and the bytes of what is read.
+/// Shows the mean and the largest error under three kinds of lamps, the instructions, and the bytes that are read.
 fn headline(choices: &[Choice]) -> String {
     let mut out =
         "| a surface under a lamp, as | daylight, incandescent | white LEDs | triphosphor | instructions \
@@ -71,7 +74,7 @@ fn headline(choices: &[Choice]) -> String {
     out
 }
 
-/// The errors of each choice.
+/// Shows the errors of each choice.
 fn xyz(choices: &[Choice]) -> String {
     let mut out = "| bands | smooth | halophosphate FL | triphosphor FL | LED | HID | lines |\n\
         |---|---|---|---|---|---|---|\n"
@@ -88,7 +91,7 @@ fn xyz(choices: &[Choice]) -> String {
     out
 }
 
-/// What the choices of [`SHOWN`] cost. (A curve costs as much as any other.)
+/// Shows what each choice costs.
 fn xyz_cost(choices: &[Choice]) -> String {
     let mut out =
         "| bands | constants, bytes | a surface, bytes | Cortex-M4F, opt 3 | \"s\" | Cortex-M0, opt 3 |\n\
@@ -110,7 +113,7 @@ fn xyz_cost(choices: &[Choice]) -> String {
     out
 }
 
-/// What its instructions are on record as.
+/// Returns the name under which the instructions of a choice are on record.
 fn counted(choice: &Choice) -> String {
     match choice.scheme.as_str() {
         "sRGB product" => "rgb-product".to_owned(),
@@ -119,7 +122,7 @@ fn counted(choice: &Choice) -> String {
     }
 }
 
-/// Of each kind of loss the worst.
+/// Shows the worst case of each kind of loss.
 fn losses(report: &Value) -> String {
     let rows = rows(report, "losses");
     let mut kinds: Vec<&str> = rows.iter().map(|row| text(row, "more")).collect();
@@ -225,7 +228,7 @@ fn upsample(report: &Value) -> String {
     out
 }
 
-/// Methods of upsampling: as the record and as the guide call them, and what their instructions are on record as.
+/// The methods of upsampling: their names in the record and in the guide, and the name of their instructions.
 const SHOWN_METHODS: [(&str, &str, &str); 6] = [
     ("Sigmoid, Linear", "`Sigmoid`, `LinearStart`", "upsample-linear-31"),
     ("Sigmoid, Cubic", "**`Sigmoid`, `CubicStart`**", "upsample-cubic-31"),
@@ -239,7 +242,7 @@ fn count(count: Option<f64>) -> String {
     count.map_or_else(|| "-".to_owned(), |count| grouped(count as u32))
 }
 
-/// Two digits: 1.4e-7, 0.69.
+/// Returns an error with two significant digits, such as 1.4e-7 or 0.69.
 fn error(value: f64) -> String {
     if value >= 0.1 { format!("{value:.2}") } else { format!("{value:.1e}") }
 }

@@ -1,7 +1,7 @@
 //! The tables of README.md and of the guides that are made from what is on record.
 //!
-//! They stand between `<!-- cost: NAME -->` and `<!-- end -->`. [`made`] makes a whole table from the report. The
-//! words of a table in [`counted`] are those of the page, and the counts are put into its cells.
+//! Each stands between `<!-- cost: NAME -->` and `<!-- end -->`. The tables in [`made`] are made completely
+//! from the report. Those in [`counted`] are worded by the page, and only the counts are put in.
 
 mod counted;
 mod made;
@@ -14,7 +14,7 @@ const START: &str = "<!-- cost: ";
 const CLOSE: &str = " -->";
 const END: &str = "<!-- end -->";
 
-/// The text of a page with every table as the report and the counts have it.
+/// Returns the text of a page with every table renewed from the report and the counts.
 pub fn rewritten(page: &str, text: &str, report: &Value) -> Result<String, Failure> {
     let unfinished =
         |name: &str, end: &str| Failure::of(page, format_args!("{name} does not end; write {end} behind it"));
@@ -37,7 +37,7 @@ pub fn rewritten(page: &str, text: &str, report: &Value) -> Result<String, Failu
     Ok(out + rest)
 }
 
-/// A count with commas between thousands.
+/// Returns a count with commas between thousands.
 fn grouped(count: u32) -> String {
     let digits = count.to_string();
     let mut out = String::new();

@@ -1,4 +1,4 @@
-//! The scenes that come with `nanospectra scene`, on fewer bands.
+//! How the bundled scenes of `nanospectra scene` change on fewer bands.
 
 use super::scenes::{LAMPS, SCENES, under};
 use crate::cells::{COUNTED, RANGE, beaten, counted, range};
@@ -31,7 +31,7 @@ pub fn table() -> Table {
     }
 }
 
-/// A scene under each lamp.
+/// Returns what is seen of a scene under each lamp.
 fn answers<const N: usize, G: Grid>(scene: &str) -> Vec<Answer> {
     let answer = |lamp: &&str| answer_on::<N, G>(&under(scene, lamp).ok()?, "", None).ok();
     LAMPS.iter().filter_map(answer).collect()

@@ -1,4 +1,5 @@
-//! Films: points where there should be means.
+//! Compares thin films whose reflectance is read at points with films whose reflectance is averaged over the
+//! bins.
 
 use crate::cells::{TIME, beaten};
 use crate::clock::nanoseconds;
@@ -14,7 +15,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Observer, Reflectance};
 use std::hint::black_box;
 
-/// Of soap, in nm, and how many points for each nanometer show all its fringes.
+/// The thicknesses of the films of soap in nm, and how many points in each nanometer show all their fringes.
 const FILMS: [(f32, usize); 5] =
     [(300.0, 8), (2000.0, 8), (20_000.0, 16), (100_000.0, 64), (1_000_000.0, 512)];
 const SOAP: f32 = 1.33;
@@ -78,7 +79,7 @@ impl Truth {
     }
 }
 
-/// By each of the ways, in some bands.
+/// A film in a number of bands, by each of the two ways.
 struct Look {
     bands: usize,
     de2000: [f64; 2],

@@ -1,4 +1,4 @@
-//! What it shows in color to leave an effect out, beside what the effect costs.
+//! Compares the color difference that leaving out an effect makes with what the effect costs.
 
 mod bands;
 mod films;

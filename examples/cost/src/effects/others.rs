@@ -1,4 +1,4 @@
-//! Shortcuts that are taken without a word.
+//! Effects that programs often leave out without saying so.
 
 use super::scenes::LAMPS;
 use crate::cells::{RANGE, range};
@@ -34,7 +34,7 @@ pub fn table() -> Table {
     }
 }
 
-/// Each lamp, and the eye.
+/// The lamps, and the eye that looks.
 struct Rooms {
     eye: Observer<3, N, Power, Grid>,
     lamps: Vec<Light<N, Grid>>,
@@ -46,7 +46,7 @@ impl Rooms {
         Rooms { eye: CIE_1931.fold(Curve::Spline), lamps: named.map(|lamp| lamp.resample()).collect() }
     }
 
-    /// Between two factors under each lamp: one costs what the other does.
+    /// Returns the difference between two factors under each lamp, and that one costs no more than the other.
     fn between(&self, with: &Reflectance<N, Grid>, without: &Reflectance<N, Grid>) -> (Vec<f64>, Cell) {
         let of_lamp = |lamp: &Light<N, Grid>| {
             let white = self.eye.sees(lamp).map(f64::from);
@@ -65,8 +65,8 @@ impl Rooms {
             row.push(more);
             rows.push(row);
         };
-        // Brewster's angle for n = 1.5; the second mirror as the first, and turned by a quarter about the
-        // ray.
+        // Both mirrors stand at Brewster's angle for n = 1.5. The second is parallel to the first, or turned
+        // by a quarter about the ray.
         let cos = 1.0 / 3.25_f32.sqrt();
         for (case, turns) in [("two panes in parallel, 56 degrees", 0.0), ("two panes, crossed", 0.25)] {
             let [first, second] = [0.0, turns].map(|axis| Mirror::dielectric(&[1.5; N], cos, axis));
@@ -74,7 +74,7 @@ impl Rooms {
         }
         let sheet = Polarizer::ideal(0.0);
         add("polarization", "two sheets in parallel", self.without_polarization(&sheet, &sheet));
-        // Both faces; the index at each wavelength, or that of the d line at all.
+        // Light passes both faces. The index is that of each wavelength, or that of the d line everywhere.
         let n_d = N_SF11.index(587.56).unwrap_or(1.0);
         for (degrees, cos) in [(0, 1.0), (60, 0.5)] {
             let face = |eta: f32| 1.0 - Dielectric::new(eta).fresnel(cos).unpolarized();
@@ -100,7 +100,7 @@ impl Rooms {
 
     fn without_polarization<'a, P: IntoPart<'a, N, Grid>>(&self, first: P, second: P) -> (Vec<f64>, Cell) {
         let mut scene: Scene<N, 2, Grid> = Scene::new();
-        // (There is room for two.)
+        // The scene has room for two parts, so neither is refused.
         let _ = scene.push(first).and_then(|()| scene.push(second));
         let without = scene.leaving_out(0).leaving_out(1);
         let difference = |lamp| f64::from(scene.difference(&without, &self.eye, lamp));
@@ -108,11 +108,12 @@ impl Rooms {
         (self.lamps.iter().map(difference).collect(), Cell::count(u32::try_from(more).ok()))
     }
 
-    /// Three channels that count X, Y and Z, none of them corrected, and each scaled to be right for white.
+    /// Returns the errors of three channels that count X, Y and Z. None of them corrects for its dead time,
+    /// and each is scaled so that white is right.
     fn dead_time(&self, busy: f32) -> Vec<f64> {
         let of_lamp = |lamp: &Light<N, Grid>| {
             let white = self.eye.sees(lamp);
-            // So many of white's own counts are arriving that the share is lost.
+            // White arrives at such a rate that the counter is busy for this share of the time.
             let counter = DeadTime::new(busy / (1.0 - busy));
             let counted =
                 |channel: f32, white: f32| counter.counted(channel / white) / counter.counted(1.0) * white;

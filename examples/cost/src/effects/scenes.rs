@@ -1,4 +1,4 @@
-//! The scenes that come with `nanospectra scene`, each without one of its parts.
+//! How the bundled scenes of `nanospectra scene` change without one of their parts.
 
 use crate::cells::{COUNTED, RANGE, counted, range};
 use crate::report::{Cell, Column, Table};
@@ -13,7 +13,7 @@ pub const SCENES: [&str; 6] = ["paper", "vest", "asphalt", "soap", "wine", "wind
 
 pub const LAMPS: [&str; 8] = ["A", "D65", "FL2", "FL7", "FL11", "LED-B1", "LED-B3", "LED-RGB1"];
 
-/// What devices count nearest to a part with an effect: a whole path of 31 bands.
+/// For each effect the count on record that comes nearest to it, which is that of a whole path of 31 bands.
 const PATHS: [(&str, &str); 5] = [
     ("fluorescence", "path-dye"),
     ("polarization", "path-two-mirrors"),
@@ -60,7 +60,7 @@ fn of(scene: &str) -> Vec<Vec<Cell>> {
     parts.collect()
 }
 
-/// A bundled scene with another lamp.
+/// Reads a bundled scene with another lamp in it.
 pub fn under(scene: &str, lamp: &str) -> Result<Recipe, Failure> {
     let text: Vec<String> = bundled::toml(scene)?
         .lines()

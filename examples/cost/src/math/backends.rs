@@ -1,9 +1,9 @@
-//! All backends of the crate, and what is said of their errors.
+//! The list of all backends of the crate, and how their errors are reported.
 
 use crate::report::Cell;
 pub use nanospectra::math::Math;
 
-/// The rows that `$of` gives for every backend and its name.
+/// Collects the rows that `$of` gives for every backend and its name.
 macro_rules! of_each {
     ($of:ident $(, $argument:expr)*) => {
         [
@@ -20,12 +20,13 @@ macro_rules! of_each {
 }
 pub(crate) use of_each;
 
-/// A largest error. Other platforms have another `Std`, with other last bits: of that two digits, rounded up.
+/// Returns the cell of a largest error. `Std` differs in the last bits from platform to platform, so its
+/// errors are rounded up to two digits.
 pub fn error_of(backend: &str, error: f64) -> Cell {
     if backend != "Std" || error <= 0.0 {
         return Cell::figure(error);
     }
     let second_digit = 10f64.powf(error.log10().floor() - 1.0);
-    // (What is two digits already stays, whatever the power is off by.)
+    // A number that has two digits already stays the same, even if the power of ten is not exact.
     Cell::figure((error / second_digit - 1e-9).ceil() * second_digit)
 }

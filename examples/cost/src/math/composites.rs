@@ -1,4 +1,4 @@
-//! What color makes of the functions, and by how much the color is off.
+//! How far the errors of the elementary functions change colors that are computed with them.
 
 use super::backends::{Math, error_of, of_each};
 use crate::cells::{in_order, priced, with_price};
@@ -43,7 +43,7 @@ pub fn table(runs: usize) -> Table {
     }
 }
 
-/// As tables call it, as its count is on record, and what its error is in.
+/// The name of each computation, the name of its count on record, and the unit of its error.
 const NAMES: [(&str, &str, &str); 4] = [
     ("black body at a wavelength", "planck", "mired"),
     ("XYZ to Lab", "lab", "CIEDE2000"),
@@ -51,7 +51,8 @@ const NAMES: [(&str, &str, &str); 4] = [
     ("encoding an sRGB pixel", "srgb", "8-bit codes"),
 ];
 
-/// What a count is called: what nobody takes by another backend, by its short name.
+/// Returns the name of a count on record. CIEDE2000 is counted with the default backend alone, under a name
+/// without a backend.
 fn on_record(word: &str, backend: &str) -> String {
     match (word, backend) {
         ("ciede2000", "Portable") => word.to_owned(),
@@ -59,12 +60,12 @@ fn on_record(word: &str, backend: &str) -> String {
     }
 }
 
-/// What all backends get, and what is right.
+/// The inputs for all backends, and the right results.
 struct Trials {
     cmf: [Vec<f64>; 3],
-    /// K, and mired of the exact spectrum.
+    /// Black bodies: the temperature in K, and the mired of the exact spectrum.
     bodies: Vec<(f32, f64)>,
-    /// XYZ, the white, and the exact Lab of these.
+    /// Surfaces: XYZ, the white, and the exact Lab.
     surfaces: Vec<(Xyz, Xyz, [f64; 3])>,
 }
 
@@ -86,7 +87,7 @@ impl Trials {
                 let xyz = single(lit.sees(sample));
                 (xyz, white, lab(exact(xyz), exact(white)))
             });
-            // (Without blue there is no Lab.)
+            // A light without any blue has no Lab.
             ces.filter(|(.., lab)| lab.iter().all(|part| part.is_finite())).collect::<Vec<_>>()
         });
         Trials { bodies: bodies.collect(), surfaces: surfaces.collect(), cmf }
@@ -143,7 +144,7 @@ fn of<M: Math>(backend: &'static str, trials: &Trials, runs: usize) -> Vec<Vec<C
     all
 }
 
-/// (What is no number counts as larger than any.)
+/// Returns the largest error. NaN counts as larger than any number.
 fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }

@@ -1,4 +1,4 @@
-//! One function at a time, over its domain.
+//! Measures the errors of each elementary function over its domain.
 
 use super::backends::{Math, error_of, of_each};
 use crate::cells::{in_order, priced, with_price};
@@ -7,12 +7,12 @@ use crate::report::{Cell, Column, Table};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-/// Numbers a function is tried at, about.
+/// About how many numbers each function is tried at.
 const TRIED: u32 = 200_000;
 
 pub fn table(runs: usize) -> Table {
     let mut rows: Vec<Vec<Cell>> = of_each!(of, runs);
-    // By function, and the backends in their order.
+    // The rows are sorted by function, and the backends of a function stay in their order.
     in_order(&mut rows, NAMES.iter().map(|name| name.0));
     let columns = with_price(vec![
         Column::key("function", "function"),
@@ -51,7 +51,7 @@ impl Measure {
     }
 }
 
-/// As tables call a function, as its count is on record, and how it is measured.
+/// The name of each function, the name of its count on record, and how its error is measured.
 const NAMES: [(&str, &str, Measure); 10] = [
     ("sqrt", "sqrt", Measure::Relative),
     ("cbrt", "cbrt", Measure::Relative),
@@ -99,8 +99,7 @@ fn of<M: Math>(backend: &'static str, runs: usize) -> Vec<Vec<Cell>> {
     all
 }
 
-/// The largest error and the largest in units of the last place; `None` if there is no number where there
-/// should be.
+/// Returns the largest error, and the largest in units of the last place; `None` if a result is not finite.
 fn worst(
     inputs: impl Iterator<Item = f32>,
     f: impl Fn(f32) -> f32,
@@ -124,26 +123,26 @@ fn worst_of(pairs: impl Iterator<Item = (f32, f64)>, measure: Measure) -> Option
     )
 }
 
-/// The distance of the f32 about a number.
+/// Returns the distance between neighboring f32 around a number.
 fn ulp(exact: f64) -> f64 {
     let exponent = (exact.abs().to_bits() >> 52) as i32 - 1023;
     2f64.powi(exponent.max(-126) - 23)
 }
 
-/// The positive f32 from `low` to `high`, spread over all sizes.
+/// Gives positive f32 from `low` to `high`, spread over all exponents.
 fn spread(low: f32, high: f32) -> impl Iterator<Item = f32> {
     let (low, high) = (low.to_bits(), high.to_bits());
-    // Odd, so that all low bits get their turn.
+    // The stride is odd, so that all patterns of the low bits occur.
     let stride = ((high - low) / TRIED) | 1;
     (low..=high).step_by(stride as usize).map(f32::from_bits)
 }
 
-/// Every second of them and its mirror image.
+/// Gives every second of these numbers with both signs.
 fn both(low: f32, high: f32) -> impl Iterator<Item = f32> {
     spread(low, high).step_by(2).flat_map(|x| [x, -x])
 }
 
-/// Points all around the origin, near and far.
+/// Gives points in all directions from the origin, at distances of several orders of magnitude.
 fn directions() -> impl Iterator<Item = (f32, f32)> {
     let angles = (0..TRIED / 25).map(|k| (f64::from(k) + 0.123) / f64::from(TRIED / 25) * TAU);
     angles.flat_map(|angle| {

@@ -1,4 +1,4 @@
-//! The elementary functions, and what is made of them in color, by every backend.
+//! Compares the backends for the elementary functions, and the colors that are computed with them.
 
 mod backends;
 mod composites;

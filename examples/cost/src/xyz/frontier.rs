@@ -1,14 +1,16 @@
-//! The choices that no other beats: none has fewer instructions and a smaller error.
+//! Lists the choices that no other choice beats, by having a smaller error for no more instructions.
 
 use super::lamps::{CLASSES, Class};
 use super::price::Prices;
 use super::see::Outcome;
 use crate::report::{Cell, Column, Table};
 
-/// What is nearer by less than this share is no reason to pay more: on the floor the last digits differ.
+/// A choice must have an error smaller by more than this share to be worth more instructions. Among the
+/// smallest errors only the last digits differ.
 const NEARER: f64 = 0.05;
 
-/// For each class, and for the five of tables together (the mean of their means).
+/// Makes the table for each class of lamps, and for all classes but that of lines, as the mean of their
+/// means.
 pub fn table(outcomes: &[Outcome], prices: &Prices) -> Table {
     let mut rows = Vec::new();
     for (name, error) in classes() {

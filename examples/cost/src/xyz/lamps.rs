@@ -1,28 +1,28 @@
-//! The lamps, by the kind of their spectra: what one kind forgives, another does not.
+//! The lamps, classed by the kind of their spectra, since errors depend on the kind.
 
 use model::planck::{C2_CIE, relative};
 use model::tables::source;
 
-/// A lamp: (nm, power), joined by straight lines, nothing outside.
+/// A lamp as points (nm, power), which are joined by straight lines. Its power is zero outside them.
 pub struct Lamp {
     pub name: String,
     pub class: Class,
     pub points: Vec<(f64, f64)>,
 }
 
-/// What kind of a spectrum.
+/// The kind of a lamp's spectrum.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Class {
-    /// Incandescent lamps, daylight, black bodies.
+    /// The spectra of incandescent lamps, daylight and black bodies, which have no peaks.
     Smooth,
-    /// Fluorescent lamps of broad phosphors, the lines of mercury on top.
+    /// The spectra of fluorescent lamps with broad phosphors, under the lines of mercury.
     Halophosphate,
-    /// Fluorescent lamps of three or five narrow phosphors.
+    /// The spectra of fluorescent lamps with three or five narrow phosphors.
     Triphosphor,
     Led,
-    /// Discharge in sodium, mercury and metal halides.
+    /// The spectra of discharges in sodium, mercury and metal halides.
     Hid,
-    /// Lines as narrow as they are: what a table every 5 nm hides.
+    /// Spectral lines of their true width, which a table with steps of 5 nm does not show.
     Lines,
 }
 
@@ -30,7 +30,7 @@ pub const CLASSES: [Class; 6] =
     [Class::Smooth, Class::Halophosphate, Class::Triphosphor, Class::Led, Class::Hid, Class::Lines];
 
 impl Class {
-    /// As the tables and the command line call it.
+    /// Returns the name that the tables and the command line use.
     pub fn name(self) -> &'static str {
         match self {
             Class::Smooth => "smooth",
@@ -43,7 +43,7 @@ impl Class {
     }
 }
 
-/// Tables of each class, as `tests/data/spectra/sources_index.csv` names them.
+/// The tabulated lamps of each class, by their names in `tests/data/spectra/sources_index.csv`.
 const TABLES: [(Class, &str); 5] = [
     (Class::Smooth, "A C D50 D65 D75"),
     (Class::Halophosphate, "FL1 FL2 FL3 FL4 FL5 FL6 FL7 FL8 FL9 FL3.1 FL3.2 FL3.3 FL3.4 FL3.5 FL3.6"),
@@ -56,11 +56,12 @@ const TABLES: [(Class, &str); 5] = [
     (Class::Hid, "HP1 HP2 HP3 HP4 HP5 NIST_03 NIST_05 NIST_06 NIST_07 NIST_09"),
 ];
 
-/// Kelvin.
+/// The temperatures of the black bodies, in K.
 const BLACK_BODIES: [f64; 5] = [2000.0, 2700.0, 4000.0, 6500.0, 10_000.0];
 
-/// Lines as (nm, relative power): a mercury lamp, the sodium doublet, three sets of lasers as they are sold,
-/// and the phosphors of europium and terbium beside mercury. Powers are typical, not measured.
+/// Spectral lines as (nm, relative power): a mercury lamp, the sodium doublet, three sets of lasers as they
+/// are sold, and the phosphors of europium and terbium beside mercury. The powers are typical and not
+/// measured.
 const LINES: [(&str, &[(f64, f64)]); 6] = [
     ("mercury lamp", &MERCURY),
     ("sodium doublet", &[(588.995, 2.0), (589.592, 1.0)]),
@@ -80,10 +81,10 @@ const TRIPHOSPHOR: [(f64, f64); 18] = [
     (620.5, 0.08), (630.4, 0.15), (650.4, 0.06), (708.0, 0.12),
 ];
 
-/// Full width of a line at half its height, nm.
+/// The full width of a line at half its height, in nm.
 const LINE_WIDTH_NM: f64 = 0.5;
 
-/// Every lamp, class by class.
+/// Returns all lamps, class by class.
 pub fn all() -> Vec<Lamp> {
     let tables = TABLES.iter().flat_map(|&(class, ids)| {
         ids.split(' ').map(move |id| Lamp { name: id.to_owned(), class, points: source(id).points() })
@@ -101,7 +102,7 @@ pub fn all() -> Vec<Lamp> {
     tables.chain(bodies).chain(lines).collect()
 }
 
-/// Gaussians of real width.
+/// Returns the power of some lines at a wavelength. Each line is a Gaussian.
 fn of_lines(lines: &[(f64, f64)], nm: f64) -> f64 {
     let height = |(at, power): &(f64, f64)| {
         let from = (nm - at) / LINE_WIDTH_NM;

@@ -1,4 +1,4 @@
-//! Where what costs more, or sounds better, is further from the truth.
+//! Lists the cases in which a choice that costs more, or sounds better, has a larger error.
 
 use super::lamps::CLASSES;
 use super::range_place;
@@ -7,15 +7,15 @@ use super::see::{Outcome, RANGES};
 use crate::report::{Cell, Column, Table};
 use nanospectra::Curve;
 
-/// What is worse by less than this is no news.
+/// Cases with a smaller ratio of the errors than this are not listed.
 const RATIO: f64 = 1.1;
-/// What is off by less than this, in CIEDE2000, is below the sum at 1 nm itself.
+/// Errors below this, in CIEDE2000, are smaller than that of the sum at 1 nm, and are not listed.
 const FLOOR: f64 = 0.01;
 
-/// Something to expect the better of two choices from.
+/// A reason to expect a smaller error from one of two choices.
 struct Belief {
     name: &'static str,
-    /// Whether the first should be the better one.
+    /// Whether a smaller error is expected from the first.
     better: fn(&Outcome, &Outcome) -> bool,
 }
 
@@ -99,7 +99,8 @@ pub fn table(outcomes: &[Outcome]) -> Table {
     }
 }
 
-/// Of `ones`, the one that is worse than another by the largest ratio, though it should be better.
+/// Finds among `ones` the choice that is worse than another by the largest ratio although it should be
+/// better.
 fn worst(ones: &[&Outcome], outcomes: &[Outcome], belief: &Belief, class: usize) -> Option<Vec<Cell>> {
     let error = |outcome: &Outcome| outcome.score.absolute.get(class).map_or(0.0, |spread| spread.mean);
     let ones = ones.iter().copied().filter(|one| error(one) > FLOOR);

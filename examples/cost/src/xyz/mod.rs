@@ -1,8 +1,9 @@
-//! XYZ of a reflectance under a light: what a scheme and a number of bands are off by, and what they cost.
+//! XYZ of a reflectance under a light: the error and the cost of each scheme at each number of bands.
 //!
-//! [`lamps`] and [`world`] are what is looked at and the truth about it, [`see`] the crate at work by each
-//! [`scheme`], [`score`] the errors and [`price`] the cost. Of them [`sweep`] makes the tables, [`frontier`]
-//! what no other choice beats, and [`losses`] where more is worse.
+//! [`lamps`] and [`world`] hold the lamps, the surfaces and the exact results. [`see`] runs the crate by each
+//! [`scheme`], [`score`] computes the errors and [`price`] the cost. From these [`sweep`] makes the tables,
+//! [`frontier`] lists the choices that no other choice beats, and [`losses`] the cases in which more effort
+//! gives a larger error.
 
 mod frontier;
 pub mod lamps;
@@ -23,7 +24,7 @@ pub fn tables(runs: usize) -> Vec<Table> {
     let world = World::new();
     let mut outcomes: Vec<Outcome> = JOBS.iter().flat_map(|job| job(&world)).collect();
     outcomes.push(see::in_rgb(&world));
-    // Range by range and scheme by scheme, as the tables are read.
+    // Sorted by range and then by scheme, as the tables are read.
     outcomes.sort_by_key(|outcome| (range_place(outcome.range), outcome.scheme.place()));
     let prices = Prices::measured(runs);
     vec![

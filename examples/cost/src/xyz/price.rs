@@ -1,4 +1,4 @@
-//! What XYZ of one surface costs: instructions on record, bytes, and nanoseconds here.
+//! What XYZ of one surface costs: instructions on record, bytes, and nanoseconds on this machine.
 
 use super::scheme::{BANDS, Scheme};
 use crate::clock::nanoseconds;
@@ -16,7 +16,7 @@ pub struct Price {
     pub nanoseconds: f64,
 }
 
-/// Times of each number of bands, the light folded in and not.
+/// The times of each number of bands, with the light folded in and without.
 pub struct Prices {
     bands: Vec<(usize, f64, f64)>,
     rgb: f64,

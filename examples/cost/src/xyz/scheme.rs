@@ -1,20 +1,21 @@
-//! How light times surface times observer becomes a sum of N terms.
+//! The schemes by which light times surface times observer becomes a sum of N terms.
 
 use nanospectra::Curve;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Scheme {
-    /// Values at N wavelengths, both ends of the range among them.
+    /// Values at N wavelengths, which include both ends of the range.
     Points,
-    /// Averages over N bins of light, surface and observer; what lies outside the range is cut off.
+    /// Averages of light, surface and observer over N bins. What lies outside the range is cut off.
     Averages,
-    /// The same, what the observer sees outside the range in the end bins: an unfolded observer of the crate.
+    /// The same averages, but what the observer sees outside the range is added to the end bins. This is an
+    /// observer of the crate that is folded by steps without a light.
     Tails,
-    /// The observer folded by parabolas; the light stays a spectrum of averages.
+    /// An observer that is folded by parabolas. The light stays a spectrum of averages.
     Eye,
-    /// Light and observer folded together.
+    /// Light and observer, folded together.
     Folded(Curve),
-    /// Light and surface as linear sRGB.
+    /// A product of light and surface as linear sRGB.
     Rgb,
 }
 
@@ -28,11 +29,11 @@ pub const SPECTRAL: [Scheme; 7] = [
     Scheme::Folded(Curve::Spline),
 ];
 
-/// Numbers of bands, each with its instructions on record.
+/// The numbers of bands. The instructions of each are on record.
 pub const BANDS: [usize; 12] = [3, 8, 12, 16, 20, 24, 31, 36, 40, 60, 81, 95];
 
 impl Scheme {
-    /// As tables and the command line call it.
+    /// Returns the name that the tables and the command line use.
     pub fn name(self) -> &'static str {
         match self {
             Scheme::Points => "points",
@@ -46,7 +47,7 @@ impl Scheme {
         }
     }
 
-    /// Where it stands among the schemes.
+    /// Returns the position among the schemes.
     pub fn place(self) -> usize {
         SPECTRAL.iter().position(|scheme| *scheme == self).unwrap_or(SPECTRAL.len())
     }
@@ -55,8 +56,8 @@ impl Scheme {
         matches!(self, Scheme::Folded(_))
     }
 
-    /// The count on record of its XYZ of a surface: light times surface only where the light is not folded
-    /// in.
+    /// Returns the name of the count on record for XYZ of a surface. It includes the product of light and
+    /// surface where the light is not folded in.
     pub fn counted_as(self, bands: usize) -> String {
         match self {
             Scheme::Rgb => "rgb-product".to_owned(),
@@ -65,8 +66,8 @@ impl Scheme {
         }
     }
 
-    /// Bytes of constants: the observer's three rows, and the light unless it is folded into them; of sRGB
-    /// the matrix and the light.
+    /// Returns the bytes of its constants: the three rows of the observer, and the light unless it is folded
+    /// into them. For sRGB they are the matrix and the light.
     pub fn bytes(self, bands: usize) -> usize {
         let numbers = match self {
             Scheme::Rgb => 3 * 3 + 3,
@@ -76,7 +77,7 @@ impl Scheme {
         numbers * size_of::<f32>()
     }
 
-    /// Bytes that each surface takes.
+    /// Returns the bytes that each surface takes.
     pub fn bytes_per_surface(self, bands: usize) -> usize {
         size_of::<f32>() * if self == Scheme::Rgb { 3 } else { bands }
     }

@@ -1,4 +1,4 @@
-//! What a choice is off by, lamp by lamp and kind by kind.
+//! Computes the errors of a choice from what it gives for each lamp.
 
 use super::lamps::{CLASSES, Class};
 use super::world::{CES, FILTERS, Lamp, TWO_BOUNCES, World};
@@ -7,20 +7,21 @@ use model::delta_e::de2000;
 use model::lab::lab;
 use nanospectra::color::Xyz;
 
-/// What is nearer to 0 is rounding below the range of the crate: averages of a tail of 1e-42 may be -1e-45.
+/// A result counts as negative below this. Nearer to zero are only roundings below the range of the crate:
+/// the average of a tail of 1e-42 may be -1e-45.
 const NEGATIVE: f64 = -1e-30;
 
-/// Abs(Duv) of light that passes for white.
+/// The largest abs(Duv) of a light that counts as white.
 const WHITE: f64 = 0.02;
 
-/// XYZ under one lamp, as a choice has them.
+/// XYZ under one lamp as a choice computes them.
 pub struct Seen {
     pub white: [f64; 3],
-    /// Of each surface of each set that was looked at.
+    /// The XYZ of each surface, for each set of surfaces that was looked at.
     pub sets: Vec<Vec<[f64; 3]>>,
 }
 
-/// CIEDE2000 over lamps and surfaces.
+/// The mean, the 95th percentile and the largest CIEDE2000 over lamps and surfaces.
 #[derive(Clone, Copy, Default)]
 pub struct Spread {
     pub mean: f64,
@@ -38,31 +39,33 @@ impl Spread {
     }
 }
 
-/// What a choice is off by.
+/// The errors of a choice.
 #[derive(Default)]
 pub struct Score {
-    /// Of each class, the samples, to the truth's white.
+    /// For each class of lamps the errors of the samples, with the exact white for all.
     pub absolute: [Spread; CLASSES.len()],
-    /// Mean with each color seen from its own white, which hides the error of the light itself.
+    /// For each class the mean error with the choice's own white, which hides the error of the light itself.
     pub own_white: [f64; CLASSES.len()],
-    /// The light's own color, tabulated lamps and then lines.
+    /// The errors of the color of the light itself, for tabulated lamps and for lines.
     pub light: [LightError; 2],
-    /// Of each class, two bounces.
+    /// For each class the errors of light that meets two surfaces.
     pub two_bounces: [Spread; CLASSES.len()],
-    /// Filters under tabulated lamps, if looked at: how far off, and percent that are negative in X, Y or Z.
+    /// For each width of filters, if looked at under tabulated lamps, the errors, and the percentage of
+    /// results that are negative in X, Y or Z.
     pub filters: Vec<(Spread, f64)>,
 }
 
-/// The worst that happens to white.
+/// The largest errors of white.
 #[derive(Clone, Copy, Default)]
 pub struct LightError {
     pub percent_y: f64,
     pub uv: f64,
-    /// Of lamps that are white; infinite if one has no CCT any more.
+    /// The error of the color temperature of lamps that are white. It is infinite if one has lost its
+    /// temperature.
     pub mired: f64,
 }
 
-/// Of the lamps in the order of the world.
+/// Computes the errors. `seen` is in the order of the lamps of the world.
 pub fn score(world: &World, seen: &[Seen]) -> Score {
     let pairs: Vec<(&Lamp, &Seen)> = world.lamps.iter().zip(seen).collect();
     let of = |class: Class| pairs.iter().filter(move |(lamp, _)| lamp.class == class);
@@ -78,7 +81,7 @@ pub fn score(world: &World, seen: &[Seen]) -> Score {
         Spread::of(errors).mean
     };
     let tabulated = || pairs.iter().filter(|(lamp, _)| lamp.class != Class::Lines);
-    // Where filters were not looked at there is nothing to say about them.
+    // There are errors of filters only if filters were looked at.
     let looked_at = seen.first().map_or(0, |seen| seen.sets.len());
     let filters = (FILTERS..looked_at).map(|set| {
         let errors = tabulated().flat_map(|(lamp, seen)| absolute(lamp, seen, set)).collect();
@@ -130,7 +133,7 @@ fn worse(one: LightError, two: LightError) -> LightError {
     }
 }
 
-/// By the crate, which is within 0.009 mired.
+/// Returns the color temperature and Duv by the crate, which is accurate to 0.009 mired.
 fn cct(xyz: [f64; 3]) -> Option<(f64, f64)> {
     let (cct_k, duv) = Xyz::from(xyz.map(|value| value as f32)).uv1960()?.cct().near()?;
     Some((f64::from(cct_k), f64::from(duv)))

@@ -1,4 +1,4 @@
-//! The crate at work: one number of bands on one range, every scheme, every lamp.
+//! Runs the crate by every scheme under every lamp, for each range and number of bands.
 
 use super::scheme::{SPECTRAL, Scheme};
 use super::score::{Score, Seen, score};
@@ -9,10 +9,10 @@ use nanospectra::{
 };
 use nanospectra_hard::yardstick::product::rgb_product;
 
-/// Where the bands lie, nm.
+/// The ranges of the bands, in nm.
 pub const RANGES: [&str; 3] = ["400..700", "380..730", "380..780"];
 
-/// A scheme, and what it is off by.
+/// A choice and its errors.
 pub struct Outcome {
     pub range: &'static str,
     pub scheme: Scheme,
@@ -20,7 +20,7 @@ pub struct Outcome {
     pub score: Score,
 }
 
-/// One number of bands on one range.
+/// Runs every scheme at one number of bands on one range.
 pub type Job = fn(&World) -> Vec<Outcome>;
 
 macro_rules! jobs {
@@ -33,14 +33,14 @@ macro_rules! jobs {
     };
 }
 
-/// Every one there is, range by range.
+/// The jobs of all ranges and numbers of bands.
 pub const JOBS: &[Job] = jobs!(3 8 12 16 20 24 31 36 40 60 81 95);
 
-/// Bins `B` and, for points, the nodes `P` of the same range.
+/// Runs every scheme on the bins `B`, or, for points, on the nodes `P` of the same range.
 fn on<const N: usize, B: Grid, P: Grid>(world: &World) -> Vec<Outcome> {
     let range = format!("{}..{}", B::FIRST, B::LAST);
     let range = RANGES.into_iter().find(|known| *known == range).unwrap_or("");
-    // What is adverse is asked of the usual range alone.
+    // Two bounces and narrow filters are looked at on the usual range alone.
     let sets = if range == "380..730" { &world.sets[..] } else { &world.sets[..=CES] };
     let bins: Vec<Vec<Reflectance<N, B>>> = sets.iter().map(|set| averages(set)).collect();
     let points: Vec<Vec<Reflectance<N, P>>> = sets.iter().map(|set| values(set)).collect();
@@ -72,7 +72,7 @@ fn on<const N: usize, B: Grid, P: Grid>(world: &World) -> Vec<Outcome> {
         .collect()
 }
 
-/// The product of colors, for comparison: of the samples only.
+/// Runs the product of RGB colors for comparison, on the samples alone.
 pub fn in_rgb(world: &World) -> Outcome {
     let seen: Vec<Seen> = world
         .lamps
@@ -113,7 +113,7 @@ fn interpolated<const N: usize, G: Grid>(points: &[(f32, f32)]) -> Light<N, G> {
     Light::interpolated(points, Interpolation::Linear).expect("a lamp's wavelengths increase")
 }
 
-/// Averages over the bins; of two bounces their product.
+/// Averages each surface over the bins. For two bounces this is the product of both averages.
 fn averages<const N: usize, G: Grid>(set: &[Surface]) -> Vec<Reflectance<N, G>> {
     products(set, |factor| Reflectance::from_samples(factor).expect("a sample"))
 }
@@ -132,13 +132,13 @@ fn products<const N: usize, G: Grid>(
     set.iter().map(|surface| of(&surface.factors)).collect()
 }
 
-/// (nm, weight) of the observer's own table.
+/// The rows of the observer's own table as points (nm, weight).
 fn table() -> [Vec<(f32, f32)>; 3] {
     let rows = CIE_1931.weights();
     rows.map(|row| row.into_iter().enumerate().map(|(k, weight)| (360.0 + k as f32, weight)).collect())
 }
 
-/// The averages of the color-matching functions over the bins, and nothing of what lies outside.
+/// Averages the color-matching functions over the bins, without what lies outside them.
 fn eye_cut_off<const N: usize, G: Grid>() -> Observer<3, N, Power, G> {
     Observer::from_rows(
         table()
@@ -146,7 +146,7 @@ fn eye_cut_off<const N: usize, G: Grid>() -> Observer<3, N, Power, G> {
     )
 }
 
-/// Their values at the nodes, for sums of points.
+/// Reads the color-matching functions at the nodes, for sums of points.
 fn eye_at_points<const N: usize, G: Grid>() -> Observer<3, N, Power, G> {
     Observer::from_rows(table().map(|row| *interpolated::<N, G>(&row).values()))
 }

@@ -1,4 +1,4 @@
-//! The tables of the sweep: scheme by range by number of bands.
+//! The tables that compare the schemes on each range and at each number of bands.
 
 use super::lamps::CLASSES;
 use super::price::Prices;
@@ -9,7 +9,7 @@ use crate::report::{Cell, Column, Kind, Table};
 const KEYS: [Column; 3] =
     [Column::key("range", "range, nm"), Column::key("scheme", "scheme"), Column::key("bands", "N")];
 
-/// A column for each class, in their order.
+/// A column for each class of lamps, in the order of the classes.
 const MEANS: [Column; CLASSES.len()] = [
     Column::figure("smooth", "smooth"),
     Column::figure("halophosphate", "halophosphate"),
@@ -19,7 +19,8 @@ const MEANS: [Column; CLASSES.len()] = [
     Column::figure("lines", "lines"),
 ];
 
-/// Two columns for each class: one whose name ends in `ending` and whose heading in `word`, and the largest.
+/// Makes two columns for each class: one whose name ends in `ending` and whose heading ends in `word`, and
+/// one for the largest error.
 fn with_max(ending: &str, word: &str) -> Vec<Column> {
     let figure =
         |id: String, heading: String| Column { id: id.into(), heading: heading.into(), kind: Kind::Figure };
@@ -119,12 +120,12 @@ pub fn filters(outcomes: &[Outcome]) -> Table {
     })
 }
 
-/// The choices that were asked what is adverse.
+/// The choices for which two bounces and narrow filters were looked at.
 fn hard(outcomes: &[Outcome]) -> impl Iterator<Item = &Outcome> {
     outcomes.iter().filter(|outcome| !outcome.score.filters.is_empty())
 }
 
-/// A row for each choice: its keys, and cells for the columns.
+/// Makes a table with a row for each choice: its keys, and its cells for the columns.
 fn table<'a>(
     id: &'static str,
     title: &str,

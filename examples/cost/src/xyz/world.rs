@@ -1,5 +1,5 @@
-//! Lamps and surfaces with the truth about them: f64 sums every 0.1 nm from 360 to 830 nm of the straight
-//! lines that join the data.
+//! Lamps and surfaces with their exact colors, which are f64 sums at every 0.1 nm from 360 to 830 nm of the
+//! straight lines that join the data.
 
 use super::lamps::{self, Class};
 use model::fine::{Curve, FineEye, values};
@@ -10,50 +10,51 @@ use nanospectra::color::{Rgb, Srgb, Xyz};
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
 
-/// (nm, value), as the crate takes samples.
+/// Samples as the crate takes them: (nm, value).
 pub type Points = Vec<(f32, f32)>;
 
 pub struct World {
     pub lamps: Vec<Lamp>,
     pub sets: Vec<Set>,
-    /// Colors of the color evaluation samples under D65, for products of colors.
+    /// The colors of the color evaluation samples under D65, for products of RGB colors.
     pub rgb: Vec<[f32; 3]>,
 }
 
 /// Surfaces that are looked at together.
 pub type Set = Vec<Surface>;
 
-/// What a light is multiplied by: one factor, or two for two bounces.
+/// What a light is multiplied by: one reflectance or transmittance, or two for two bounces.
 pub struct Surface {
     pub factors: Vec<Points>,
-    /// Their product every 0.1 nm.
+    /// The product of the factors at every 0.1 nm.
     values: Vec<f64>,
 }
 
+/// A lamp with the exact colors of white and of all surfaces under it.
 pub struct Lamp {
     pub class: Class,
     pub points: Points,
-    /// The crate's, with this lamp in it; Y = 100 is the truth's.
+    /// The observer of the crate at 1 nm in the light of this lamp. Its scale is that of the exact white.
     pub eye: FineObserver<3, Factor>,
-    /// The truth's own weights.
+    /// The weights of the exact sums.
     pub fine: FineEye,
     pub white: [f64; 3],
-    /// Lab of each surface of each set.
+    /// The exact Lab of each surface of each set.
     pub truth: Vec<Vec<[f64; 3]>>,
     pub rgb: [f32; 3],
 }
 
-/// The color evaluation samples come first.
+/// The first set: the color evaluation samples.
 pub const CES: usize = 0;
-/// Then light that meets two of them.
+/// The second set: pairs of samples that light meets one after the other.
 pub const TWO_BOUNCES: usize = 1;
-/// Then filters, the narrowest first.
+/// The first of the sets of filters. The narrowest filters come first.
 pub const FILTERS: usize = 2;
 
-/// Full widths at half the height, nm.
+/// The full widths of the filters at half their height, in nm.
 const FILTER_WIDTHS: [f64; 3] = [10.0, 20.0, 40.0];
 
-/// How many pairs of samples.
+/// The number of pairs of samples.
 const BOUNCES: usize = 60;
 
 impl World {
@@ -72,7 +73,7 @@ impl World {
         World { lamps, sets, rgb }
     }
 
-    /// How many lamps of a class there are.
+    /// Returns the number of lamps of a class.
     pub fn count(&self, class: Class) -> usize {
         self.lamps.iter().filter(|lamp| lamp.class == class).count()
     }
@@ -97,7 +98,7 @@ fn sets(ces: &[(Points, Vec<f64>)]) -> Vec<Set> {
     sets
 }
 
-/// A Gaussian that lets everything through at its center.
+/// Makes a filter whose transmittance is a Gaussian with the value 1 at its center.
 fn filter(center: f64, width: f64) -> Surface {
     let points: Vec<(f64, f64)> = (0..=940)
         .map(|k| 360.0 + f64::from(k) / 2.0)
@@ -110,7 +111,7 @@ impl Lamp {
     fn new(lamp: lamps::Lamp, sets: &[Set]) -> Self {
         let points = singles(&lamp.points);
         let fine = FineEye::new(Observer::Cie1931, &Curve::new(lamp.points, Outside::Zero));
-        // The CIE's rule for tables; a line, which is narrower than 1 nm, needs averages.
+        // Tables are interpolated, as the CIE recommends. Lines, which are narrower than 1 nm, are averaged.
         let light: Fine<Power> = if lamp.class == Class::Lines {
             Fine::from_samples(&points)
         } else {
