@@ -14,10 +14,10 @@ use crate::claims::held::{Records, holds};
 use crate::claims::numbers::{Rounding, like, numbers, value};
 use crate::claims::renew::renew;
 use crate::claims::sections::{ROOT, Section, Texts, sections};
-use nanospectra::Nodes;
 use nanospectra::matter::{CES, Donaldson, Mirror, Slab, TCS};
 use nanospectra::sensor::fixed::FixedObserver;
-use nanospectra::upsample::{Basis, Smits};
+use nanospectra::upsample::{Basis, Sigmoid, Smits};
+use nanospectra::{FineObserver, Nodes};
 
 /// What a reader sees first. Their counts are of one core and one build, or they promise what no program is.
 const HEADLINES: [&str; 3] = ["README.md nanospectra", "lib.rs module Summary", "Cargo.toml description"];
@@ -76,8 +76,8 @@ fn every_count_and_every_figure_of_the_pages_is_held() {
     assert!(faults.is_empty(), "these counts have no row in tests/data/claims.txt:\n{faults}");
 }
 
-/// Instructions and figures with a fraction in README.md and the guides; instructions where costs are named; bytes
-/// besides where a reader looks first.
+/// Instructions, bytes and figures with a fraction in README.md and the guides; instructions where costs are named;
+/// bytes besides where a reader looks first.
 fn unheld_counts(title: &str, section: &Section, entry: Option<&Entry>) -> String {
     let first = HEADLINES.contains(&title);
     let page = title.contains(".md ");
@@ -87,7 +87,7 @@ fn unheld_counts(title: &str, section: &Section, entry: Option<&Entry>) -> Strin
     for (k, number) in section.numbers.iter().enumerate() {
         let count = match number.unit.as_str() {
             "instructions" => costs,
-            "bytes" | "KB" => first,
+            "bytes" | "KB" => first || page,
             _ => page && number.is_bound(),
         };
         if count && places.iter().all(|(.., place)| *place != k) {
@@ -293,6 +293,8 @@ fn tables_and_samples_are_as_large_as_documented() {
     assert_eq!(size_of::<Donaldson<31, 496>>(), 4 * 496);
     assert_eq!(size_of::<Basis<31, Grid>>(), 8 * 31);
     assert_eq!(size_of::<Smits<31, Grid>>(), 28 * 31);
+    assert_eq!((size_of::<Sigmoid<81, Grid>>() - size_of::<Sigmoid<31, Grid>>()) / 50, 16);
+    assert_eq!(size_of::<FineObserver<3>>(), 5652);
     // And what they are shifted and counted by.
     assert_eq!(size_of::<FixedObserver<3, 80, Grid>>(), 2 * 3 * 80 + 12);
 }
