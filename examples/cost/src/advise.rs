@@ -108,7 +108,8 @@ fn exact(value: f64) -> String {
 fn answer(choice: &Choice, classes: &[usize]) -> String {
     let count = |core| choice.instructions(core).map_or_else(|| "?".to_owned(), |count| count.to_string());
     let mut out = format!(
-        "{}\n\n  {} instructions on a Cortex-M4F, {} on a Cortex-M0; {} bytes of constants and {} of each surface\n",
+        "{}\n\n  {} instructions on a Cortex-M4F, {} on a Cortex-M0; {} bytes of constants and {} of each \
+         surface\n",
         choice.name(),
         count(Core::M4F),
         count(Core::M0),
@@ -139,7 +140,8 @@ fn lines(choice: &Choice) -> String {
     let folded = |curve| {
         format!(
             "// Your lamp for FL11; worked out by the compiler.\n\
-             static EYE: Observer<3, {n}, Factor, {grid}> =\n    {lamp}.fold(Curve::{curve}).with_white_y(100.0);\n\
+             static EYE: Observer<3, {n}, Factor, {grid}> =\n    \
+             {lamp}.fold(Curve::{curve}).with_white_y(100.0);\n\
              \n\
              fn xyz(surface: &Reflectance<{n}, {grid}>) -> [f32; 3] {{\n    EYE.sees(surface)\n}}\n"
         )
@@ -161,7 +163,8 @@ fn lines(choice: &Choice) -> String {
         _ => "static EYE: Observer<3, 3, Power, RgbBands<Srgb>> = Observer::standard();\n\
               \n\
               fn xyz(light: Rgb<Srgb>, surface: Rgb<Srgb>) -> [f32; 3] {\n    \
-              let (light, surface) = (Light::<3, RgbBands<Srgb>>::from_rgb(light), Reflectance::from_rgb(surface));\n    \
+              let (light, surface) = \
+              (Light::<3, RgbBands<Srgb>>::from_rgb(light), Reflectance::from_rgb(surface));\n    \
               EYE.sees(light.onto(&surface))\n}\n"
             .to_owned(),
     }

@@ -57,8 +57,8 @@ pub struct Limits {
     pub most_instructions: Option<f64>,
 
     /// The core on which the instructions are counted
-    #[arg(long, value_name = "CORE", value_parser = PossibleValuesParser::new(["m4f", "m0"]), default_value = "m4f",
-        requires = "advise")]
+    #[arg(long, value_name = "CORE", value_parser = PossibleValuesParser::new(["m4f", "m0"]),
+        default_value = "m4f", requires = "advise")]
     pub core: String,
 
     /// The most bytes that the constants may take

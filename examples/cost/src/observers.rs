@@ -19,8 +19,9 @@ pub fn tables(_: usize) -> Vec<Table> {
     vec![Table {
         id: "observers",
         title: "Other observers beside CIE 1931".into(),
-        about: "CIEDE2000 of the 99 samples as each sees them, the lamp being the white of both; 1 nm sums. What \
-                people differ by in what they see is of this size: an error far below it is seen by nobody."
+        about: "CIEDE2000 between the 99 samples as CIE 1931 and as another observer sees them, each with \
+                the lamp as its white, by 1 nm sums. The differences between people are of this size, so \
+                nobody sees an error that is far smaller."
             .into(),
         columns,
         rows: rows(),

@@ -38,8 +38,9 @@ pub fn tables(runs: usize) -> Vec<Table> {
         id: "sums",
         title: "Sums of products of positive f32".into(),
         about: format!(
-            "X, Y and Z under D65, whose tails add next to nothing to a full sum, of {SURFACES} reflectances evenly \
-             random in 0..1; e = 2^-24 of the sum. Times and instructions are those of one of the three sums."
+            "X, Y and Z under D65 of {SURFACES} reflectances that are evenly random in 0..1. The terms at \
+             both ends add next to nothing to a sum. Errors are in units of e, which is 2^-24 of the sum. \
+             Times and instructions are those of one of the three sums."
         ),
         columns,
         rows,

@@ -23,10 +23,12 @@ pub fn tables(_: usize) -> Vec<Table> {
     vec![Table {
         id: "tables",
         title: "Tables of the CIE 1931 functions".into(),
-        about: "CIEDE2000 of the 99 samples against sums of the f64 functions over the same nanometers, 360..830 nm, \
-                so that nothing shows but the table; the white is the true one, then the table's own. No color: the \
-                white has no X, Y or Z left. Beaten by: tables of no more bytes whose mean is smaller. Integers are \
-                shares of the largest value of their function. Instructions are those of x, y and z at a wavelength."
+        about: "CIEDE2000 of the 99 samples against sums of the f64 functions over the same nanometers, \
+                360..830 nm, so that only the errors of the table show. The first columns use the exact \
+                white, the next one the table's own. No color: the percentage of colors whose white has no \
+                X, Y or Z left. Beaten by: how many tables of no more bytes have a smaller mean. Integers \
+                are shares of the largest value of their function. Instructions are those of x, y and z at \
+                one wavelength."
             .into(),
         columns,
         rows: rows(),

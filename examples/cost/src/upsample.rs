@@ -51,10 +51,11 @@ pub fn tables(runs: usize) -> Vec<Table> {
         id: "upsample",
         title: "From sRGB to reflectances".into(),
         about: format!(
-            "There and back: every 15th code of each component on {WIDE} bands of 380..780 nm under D65. Under other \
-             lamps: the {samples} of the 99 samples that are within sRGB, themselves against what is made of their \
-             RGB, the lamp being the white. The product of RGB has no spectrum: the lamp's RGB times the surface's. \
-             Bytes, instructions and times: a color on {FEW} bands of 400..700 nm, what was worked out for them included."
+            "There and back: every 15th code of each component, on {WIDE} bands of 380..780 nm under D65. \
+             Under other lamps: the {samples} of the 99 samples that are within sRGB, each compared with the \
+             spectrum that is made of its RGB, with the lamp as white. The product of RGB makes no spectrum; \
+             it multiplies the lamp's RGB and the surface's. Bytes, instructions and times are those of a \
+             color on {FEW} bands of 400..700 nm, and include what is precomputed for them."
         ),
         columns: with_price(columns),
         rows: study.rows(runs),

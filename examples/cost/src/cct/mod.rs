@@ -140,9 +140,9 @@ fn summary(methods: &[Method], bands: &[Band], runs: usize) -> Table {
         id: "cct",
         title: "Correlated color temperature, by method".into(),
         about: format!(
-            "In f32, against the nearest point of the locus in f64, at {all} points: 1000 K to a million, |Duv| up to \
-             0.05. Lamps: 2500 K to 10 000 K, |Duv| up to 0.02. Beaten by: methods whose tables are no larger and whose \
-             worst of lamps is smaller."
+            "The errors in f32 against the nearest point of the locus in f64, at {all} points: from 1000 K \
+             to a million, with |Duv| up to 0.05. Lamps: from 2500 K to 10 000 K, with |Duv| up to 0.02. \
+             Beaten by: how many methods whose tables are no larger have a smaller largest error for lamps."
         ),
         columns,
         rows: rows.collect(),
@@ -174,8 +174,8 @@ fn by_band(methods: &[Method], bands: &[Band]) -> Table {
     Table {
         id: "cct-bands",
         title: "Correlated color temperature, by method and place".into(),
-        about: "The same by temperature and distance from the locus. Beaten by: methods whose tables are no larger and \
-                whose worst is smaller here."
+        about: "The same errors by temperature and by distance from the locus. Beaten by: how many methods \
+                whose tables are no larger have a smaller largest error here."
             .into(),
         columns: vec![
             Column::key("method", "method"),

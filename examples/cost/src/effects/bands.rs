@@ -20,10 +20,11 @@ pub fn table() -> Table {
         id: "effects-bands",
         title: "Bundled scenes on fewer bands".into(),
         about: format!(
-            "CIEDE2000 between a scene in bins of 380..730 nm and the same on the 471 nanometers of the CIE, each with \
-             its own white: over {}. What is no product band by band (a dye) or bends within a band (a film) pays for \
-             few; what the brightener in the paper takes below 380 nm, no number of bands from there brings back. \
-             Beaten by: fewer bands whose mean is smaller. Instructions: folded.",
+            "CIEDE2000 between a scene in bins of 380..730 nm and the same scene on the 471 nanometers of \
+             the CIE, each with its own white, over {}. Few bands cost accuracy where the effect is not a \
+             product band by band (a dye), or where it varies within a band (a film). What the brightener in \
+             the paper absorbs below 380 nm is lost at any number of bands from there. Beaten by: how many \
+             smaller numbers of bands have a smaller mean. Instructions are those of the folded scene.",
             LAMPS.join(", ")
         ),
         columns,

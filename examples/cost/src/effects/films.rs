@@ -43,9 +43,10 @@ pub fn table(runs: usize) -> Table {
     Table {
         id: "films",
         title: "A film of soap: its reflectance read at points, or averaged over bins".into(),
-        about: "CIEDE2000 under D65 against many points in every nanometer, at right angles, a white mirror being \
-                white; bins of 380..730 nm. Beaten by: fewer bands in the same way that are nearer. Times are those of a \
-                reflectance of so many bands."
+        about: "CIEDE2000 under D65, compared with many points in every nanometer, at normal incidence and \
+                with a white mirror as white, in bins of 380..730 nm. Beaten by: how many smaller numbers of \
+                bands have a smaller error in the same way. Times are those of a reflectance of so many \
+                bands."
             .into(),
         columns: vec![
             Column::key("thickness_nm", "thickness, nm"),

@@ -25,8 +25,9 @@ pub fn table() -> Table {
         id: "effects-others",
         title: "Effects that are easily forgotten".into(),
         about: format!(
-            "CIEDE2000 with and without, {N} bands, white being white under the bare lamp: over {}; the counter sees \
-             the 99 samples under each, and its X, Y and Z of white, which is what it was calibrated on, are right.",
+            "CIEDE2000 between the color with the effect and without it, on {N} bands, over {}. The white is \
+             that of the bare lamp. The counter sees the 99 samples under each lamp; its X, Y and Z of white \
+             are right, since it was calibrated on white.",
             LAMPS.join(", ")
         ),
         columns,

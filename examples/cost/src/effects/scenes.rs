@@ -32,10 +32,11 @@ pub fn table() -> Table {
         id: "effects",
         title: "Bundled scenes without one of their parts".into(),
         about: format!(
-            "CIEDE2000 between a scene and the same without the effect of a part (a filter or a film gone, a dye that \
-             does not glow, a mirror that does not polarize), white being white under the bare lamp: over {}. 81 bands; \
-             multiply-adds are those of the part as the scene's bill has them. Instructions: a whole path of 31 bands \
-             with such a part, walked.",
+            "CIEDE2000 between a scene and the same scene without the effect of a part, over {}: without a \
+             filter or a film, with a dye that does not glow, with a mirror that does not polarize. The \
+             white is that of the bare lamp. Colors and multiply-adds are those of 81 bands, as the bill of \
+             the scene lists them. Instructions are those of a whole path of 31 bands with such a part that \
+             is not folded.",
             LAMPS.join(", ")
         ),
         columns,

@@ -33,11 +33,12 @@ pub fn table(runs: usize) -> Table {
     Table {
         id: "math-composites",
         title: "What the functions do to color".into(),
-        about: "Against f64. A black body: the CCT of 1 nm sums over it, 1000..50 000 K. Lab: the samples under all \
-                lamps. CIEDE2000: between neighbors of these. sRGB: signals of 0..1, in 8-bit codes before they are \
-                rounded. Fresnel: dielectrics of index 1.1 to 4 at cosines of 1/64 to 1; it takes square roots \
-                only, and those of the core."
-            .into(),
+        about:
+            "The errors against f64. Black body: the color temperature of its 1 nm sums, for 1000..50 000 \
+                K. Lab: the samples under all lamps. CIEDE2000: pairs of neighbors among these. sRGB: \
+                signals of 0..1, in 8-bit codes before they are rounded. Fresnel: dielectrics of index 1.1 \
+                to 4 at cosines of 1/64 to 1; the formula needs only square roots, which the core computes."
+                .into(),
         columns,
         rows,
     }

@@ -25,9 +25,10 @@ pub fn table(runs: usize) -> Table {
         id: "math",
         title: "Elementary functions of f32, by backend".into(),
         about: format!(
-            "Against f64 at some {TRIED} numbers over the whole domain of each: all sizes for roots and logarithm, \
-             |x| <= 87 for exponentials, 1e-6..1e4 for powers, all directions, a turn to and fro for sine and cosine. \
-             A unit in the last place is that of the result, of 1 where the error is absolute. Std is the library of \
+            "The errors against f64 at some {TRIED} numbers over the whole domain of each function: all \
+             sizes for roots and the logarithm, |x| <= 87 for exponentials, 1e-6..1e4 for powers, all \
+             directions for the arctangent, and one turn in both senses for sine and cosine. A unit in the \
+             last place is that of the result, or of 1 where the error is absolute. Std is the library of \
              this platform."
         ),
         columns,

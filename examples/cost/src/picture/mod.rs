@@ -15,8 +15,8 @@ use svg::{Document, Node};
 /// Both pictures are as wide as the text of a page, in pixels. A narrower page shrinks them.
 const WIDTH: f64 = 720.0;
 
-/// A class with its color on a light page and on a dark one. [`filled`], [`stroke`] and [`line`] draw in the
-/// color of a class.
+/// A class with its color on a light page and on a dark one. [`filled`], [`stroke`] and [`line()`] draw in
+/// the color of a class.
 type Color = (&'static str, &'static str, &'static str);
 
 /// The colors of both pictures. Here and in each picture the contrast with white and with the dark themes of

@@ -41,9 +41,9 @@ pub fn table(outcomes: &[Outcome], prices: &Prices) -> Table {
     Table {
         id: "frontier",
         title: "What no other choice beats".to_owned(),
-        about: "Of each class of lamps, from cheap to dear: the choices that are nearer to the truth, in mean \
-            CIEDE2000, by more than 5 % than every one that takes no more instructions on an M4F. Lamps: the mean of all \
-            classes but lines."
+        about: "For each class of lamps, from few instructions to many: the choices whose mean CIEDE2000 is \
+                smaller by more than 5 % than that of every choice that takes no more instructions on an \
+                M4F. Lamps: the mean of all classes but lines."
             .to_owned(),
         columns: vec![
             Column::key("lamps", "lamps"),

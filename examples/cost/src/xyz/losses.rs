@@ -82,9 +82,10 @@ pub fn table(outcomes: &[Outcome]) -> Table {
         id: "losses",
         title: "Where more is worse".to_owned(),
         about: format!(
-            "Of each scheme, range and class of lamps the worst case, by the mean CIEDE2000: the first choice has more \
-             bands, or a wider range, or the same of the rest and a cleverer scheme, and is further from the truth. \
-             Not shown: ratios below {RATIO} and errors below {FLOOR}."
+            "For each scheme, range and class of lamps the worst case, by the mean CIEDE2000. The first \
+             choice has more bands, a wider range, or a scheme that should be more exact at the same bands \
+             and range, and has a larger error. Ratios below {RATIO} and errors below {FLOOR} are not \
+             listed."
         ),
         columns: vec![
             Column::key("more", "more"),

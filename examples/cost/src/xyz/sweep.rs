@@ -52,10 +52,11 @@ pub fn means(outcomes: &[Outcome], prices: &Prices, world: &World) -> Table {
     };
     let title = "XYZ of a surface under a lamp: mean CIEDE2000, and what it costs";
     let about = format!(
-        "Truth: f64 sums every 0.1 nm, 360 to 830 nm, of straight lines between the data; 99 color evaluation \
-         samples (CIE 224) under {}. Errors are absolute: with the truth's white and the truth's scale. A folded observer has what \
-         lies outside its range in the end bins, points and averages cut it off, averages+tails do not. \
-         Instructions at opt-level 3 in QEMU; bytes of constants, and of each surface.",
+        "The reference is f64 sums at every 0.1 nm, 360 to 830 nm, of straight lines between the data, for \
+         99 color evaluation samples (CIE 224) under {}. Errors are absolute: both colors have the white and \
+         the scale of the reference. Folded observers and averages+tails count what lies outside the range \
+         in the end bins; points and averages cut it off. Instructions are those at opt-level 3 in QEMU; \
+         bytes are those of the constants, and of each surface.",
         CLASSES.map(|class| format!("{} {}", world.count(class), class.name())).join(", ")
     );
     table("xyz", title, &about, &[&MEANS, &costs], outcomes, cells)
@@ -63,7 +64,7 @@ pub fn means(outcomes: &[Outcome], prices: &Prices, world: &World) -> Table {
 
 pub fn spreads(outcomes: &[Outcome]) -> Table {
     let title = "XYZ of a surface under a lamp: 95th percentile and largest CIEDE2000";
-    let about = "Of the table before: what the mean hides.";
+    let about = "The same errors as in the table of means, which hides the largest.";
     table("xyz-spread", title, about, &[&with_max("_p95", "p95")], outcomes, |outcome| {
         outcome.score.absolute.iter().flat_map(|spread| [spread.p95, spread.max]).map(Cell::figure).collect()
     })
@@ -79,9 +80,10 @@ pub fn lights(outcomes: &[Outcome]) -> Table {
         Column::figure("lines_mired", "mired"),
     ];
     let title = "The light itself: its worst error, and mean CIEDE2000 from its own white";
-    let about = "Seen from its own white a color is nearer to the truth, since the error of the light goes out of \
-        it. Then the worst Y, u'v' and CCT of the lights of tables and of lines; CCT of those within 0.02 of \
-        the locus, - where one has none any more.";
+    let about = "Mean CIEDE2000 with the choice's own white, which removes the error of the light. Then \
+            the largest errors in Y, u'v' and color temperature of the light, for the lamps of tables and \
+            for lines. Color temperatures are those of lights within 0.02 of the locus; - means that such a \
+            light has lost its color temperature.";
     table("xyz-light", title, about, &[&MEANS, &errors], outcomes, |outcome| {
         let light = outcome.score.light.iter().flat_map(|worst| [worst.percent_y, worst.uv, worst.mired]);
         let finite = |value: f64| if value.is_finite() { Cell::figure(value) } else { Cell::Nothing };
@@ -91,8 +93,8 @@ pub fn lights(outcomes: &[Outcome]) -> Table {
 
 pub fn two_bounces(outcomes: &[Outcome]) -> Table {
     let title = "Light off two surfaces: CIEDE2000 of products of averages";
-    let about = "60 pairs of the color evaluation samples. An average of products is no product of averages, and no \
-        fold of the light knows of it.";
+    let about = "The errors for 60 pairs of the color evaluation samples. The average of a product is not \
+            the product of averages, and no fold of the light can correct that.";
     table("two-bounces", title, about, &[&with_max("", "mean")], hard(outcomes), |outcome| {
         let spreads = outcome.score.two_bounces.iter();
         spreads.flat_map(|spread| [spread.mean, spread.max]).map(Cell::figure).collect()
@@ -112,8 +114,9 @@ pub fn filters(outcomes: &[Outcome]) -> Table {
         Column::figure("negative_40nm", "negative %"),
     ];
     let title = "Narrow filters: CIEDE2000, and how often X, Y or Z is negative";
-    let about = "Gaussians 10, 20 and 40 nm wide at half their height, centered on 420, 425 .. 680 nm, under the lamps \
-        of all tables: what a smooth curve through averages is not made for.";
+    let about = "The errors for Gaussian filters 10, 20 and 40 nm wide at half their height, centered on \
+            420, 425 .. 680 nm, under the lamps of all tables. A smooth curve through averages is not meant \
+            for such filters.";
     table("filters", title, about, &[&columns], hard(outcomes), |outcome| {
         let filters = outcome.score.filters.iter();
         filters.flat_map(|(spread, share)| [spread.mean, spread.max, *share]).map(Cell::figure).collect()

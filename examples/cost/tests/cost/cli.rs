@@ -1,11 +1,12 @@
-//! The program as a user meets it: help, refusals, and the chooser with the lines that it gives.
+//! The program as a user meets it: its help, what it refuses, and the choices that it advises with their
+//! lines of Rust.
 
 use nanospectra::light::FL11;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Bins, Curve, Factor, Light, Observer, Power, Reflectance};
 use std::process::Command;
 
-/// This file, in which advice must be found as it is given.
+/// The text of this file, which must contain the lines that are advised.
 const THIS: &str = include_str!("cli.rs");
 
 struct Outcome {
@@ -20,7 +21,8 @@ fn run(arguments: &[&str]) -> Outcome {
     Outcome { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
 }
 
-/// It ended with exit code 2 and one line: that starts so, has this word in it, and says what to do.
+/// Asserts that the program ended with exit code 2 and one line, which begins with `start`, contains `word`,
+/// and says what to do.
 #[track_caller]
 fn assert_refused(outcome: &Outcome, start: &str, word: &str) {
     let message = &outcome.err;
@@ -68,7 +70,7 @@ fn an_impossible_limit_is_refused_with_what_is_next_to_it() {
     assert_refused(&run(&["--advise", "--most-instructions", "10"]), "--most-instructions: ", "sRGB product");
     let refused = run(&["--advise", "--most-error", "0.0001", "--lamps", "led"]);
     assert_refused(&refused, "--most-error: ", "folded");
-    // What it names can be had.
+    // The choice that the message names is found with its own error as the limit.
     let nearest = refused.err.split("nearest has ").nth(1).and_then(|rest| rest.split(' ').next());
     let again = run(&["--advise", "--lamps", "led", "--most-error", nearest.expect("a number")]);
     assert_eq!((again.code, again.err.as_str()), (Some(0), ""));
@@ -77,7 +79,7 @@ fn an_impossible_limit_is_refused_with_what_is_next_to_it() {
     assert_refused(&both, "--most-error: ", "N = 3");
 }
 
-/// The choice that is advised: the first line.
+/// Returns the advised choice, which is the first line, and the rest.
 fn advised(arguments: &[&str]) -> (String, String) {
     let outcome = run(&[&["--advise"], arguments].concat());
     assert_eq!((outcome.code, outcome.err.as_str()), (Some(0), ""), "{arguments:?}");
@@ -131,7 +133,7 @@ fn the_lines_that_are_given_compile() {
         assert!(code.len() > 3, "{rest}");
         code
     };
-    // Compiled below.
+    // The same lines stand below, where they are compiled.
     let here: String = THIS.split_whitespace().collect();
     for arguments in [
         &["--lamps", "fl,led", "--most-instructions", "200"][..],

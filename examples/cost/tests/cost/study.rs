@@ -1,4 +1,4 @@
-//! What the study has on record: that it says what it is quoted for.
+//! Tests that the record supports the statements for which it is quoted.
 
 use serde_json::Value;
 
@@ -12,7 +12,7 @@ fn rows<'a>(record: &'a Value, table: &str) -> &'a [Value] {
 
 const LAMPS: [&str; 5] = ["smooth", "halophosphate", "triphosphor", "led", "hid"];
 
-/// The row of a scheme.
+/// Finds the row of a choice.
 fn choice<'a>(rows: &'a [Value], range: &str, scheme: &str, bands: &str) -> &'a Value {
     rows.iter()
         .find(|row| row["range"] == range && row["scheme"] == scheme && row["bands"] == bands)
@@ -60,7 +60,7 @@ fn a_folded_light_keeps_its_color_and_steps_are_never_negative() {
     for row in rows(&record, "filters").iter().filter(|row| row["scheme"] == "folded step") {
         assert_eq!(number(row, "negative_10nm"), 0.0, "{row}");
     }
-    // And those by a curve are, as the README says.
+    // Those by a smooth curve are negative at times, as the README says.
     let spline = choice(rows(&record, "filters"), "380..730", "folded spline", "16");
     assert!(number(spline, "negative_10nm") > 1.0);
 }
@@ -74,7 +74,7 @@ fn the_front_is_folded_and_leads_down() {
         assert!(number(pair[0], "m4f_instructions") < number(pair[1], "m4f_instructions"));
         assert!(number(pair[0], "mean_de2000") > number(pair[1], "mean_de2000"));
     }
-    // Dearer than a product of colors, the best is folded.
+    // Among the choices that take more instructions than a product of colors, the best are folded.
     assert!(
         front.iter().skip(1).all(|row| row["scheme"].as_str().is_some_and(|name| name.starts_with("folded")))
     );
