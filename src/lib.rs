@@ -1,8 +1,8 @@
-//! Computes what light looks like, on a microcontroller, in a web page or in a renderer: spectral color math in
-//! fixed-size arrays of `f32`, without `std` and without an allocator.
+//! Computes what light looks like, on a microcontroller, in a web page or in a renderer: spectral color math
+//! in fixed-size arrays of `f32`, without `std` and without an allocator.
 //!
-//! A spectrum, or the counts of a color sensor, become XYZ, color temperature, Lab, CRI, TM-30 or lux, and an RGB
-//! color becomes a spectrum again. The tables of the CIE are made when the crate is built.
+//! A spectrum, or the counts of a color sensor, become XYZ, color temperature, Lab, CRI, TM-30 or lux, and an
+//! RGB color becomes a spectrum again. The tables of the CIE are made when the crate is built.
 //!
 //! ```
 //! use nanospectra::color::{Cct, Xyz};
@@ -26,15 +26,17 @@
 //! assert!((y - 50.0).abs() < 1e-4);
 //! ```
 //!
-//! **New here?** Begin with the guide to the [first steps](guide::first_steps). All guides are in [`guide`]: how many
-//! bands to use, sensors, RGB to spectrum, filters and dyes, renderers, accuracy, conventions, flash and stack.
+//! **New here?** Begin with the guide to the [first steps](guide::first_steps). All guides are in [`guide`]:
+//! how many bands to use, sensors, RGB to spectrum, filters and dyes, renderers, accuracy, conventions, flash
+//! and stack.
 //!
 //! # The idea
 //!
-//! Light that meets matter and then a sensor is a linear chain, and a chain that does not change is a small matrix.
-//! [`Observer`] is that matrix. The compiler multiplies the lamp, the filter and the color-matching functions at 1 nm
-//! and [folds](Observer::fold) the result into the few bands that a program can afford. A surface that is seen through
-//! 16 folded bands has a more accurate color than one that is sampled at 60 bands without the fold.
+//! Light that meets matter and then a sensor is a linear chain, and a chain that does not change is a small
+//! matrix. [`Observer`] is that matrix. The compiler multiplies the lamp, the filter and the color-matching
+//! functions at 1 nm and [folds](Observer::fold) the result into the few bands that a program can afford. A
+//! surface that is seen through 16 folded bands has a more accurate color than one that is sampled at 60
+//! bands without the fold.
 //!
 #![doc = include_str!("guide/chain.svg")]
 //!
@@ -42,17 +44,21 @@
 //!
 //! They follow the light, from the numbers of a measured sample to a color:
 //!
-//! * [`Bands`] are what the N numbers of a spectrum belong to: a [`Grid`] of wavelengths ([`Bins`] between edges,
-//!   [`Nodes`] around wavelengths), or red, green and blue ([`RgbBands`](color::RgbBands)).
-//! * [`Spectrum`] holds N averages of a [`Power`] or of a [`Factor`], such as a reflectance or a transmittance.
+//! * [`Bands`] are what the N numbers of a spectrum belong to: a [`Grid`] of wavelengths ([`Bins`] between
+//!   edges, [`Nodes`] around wavelengths), or red, green and blue ([`RgbBands`](color::RgbBands)).
+//! * [`Spectrum`] holds N averages of a [`Power`] or of a [`Factor`], such as a reflectance or a
+//!   transmittance.
 //! * [`light`] has the illuminants of the CIE, daylight and black bodies.
-//! * [`matter`] has what light meets: glasses, metals, matt and rough surfaces, films, absorbers, scatterers, dyes,
-//!   mirrors and polarizers.
+//! * [`matter`] has what light meets: glasses, metals, matt and rough surfaces, films, absorbers, scatterers,
+//!   dyes, mirrors and polarizers.
 //! * [`observer`] has what looks: the standard observers, cones, V(λ) and your own sensors.
-//! * [`path`] sends light through one after another, with fluorescence and polarization where you ask for them.
-//! * [`color`] says what XYZ means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI and TM-30.
+//! * [`path`] sends light through one after another, with fluorescence and polarization where you ask for
+//!   them.
+//! * [`color`] says what XYZ means: chromaticity, CCT and Duv, Lab, differences, adaptation, RGB, CRI and
+//!   TM-30.
 //! * [`upsample`] finds a smooth reflectance for an RGB color.
-//! * [`radiometry`] has quantities with units, solid angles, form factors, lux, melanopic and photon quantities.
+//! * [`radiometry`] has quantities with units, solid angles, form factors, lux, melanopic and photon
+//!   quantities.
 //! * [`sensor`] turns raw counts into color, with calibration, uncertainty, and integers only if need be.
 //! * [`geometry`] has directions and integrals over the hemisphere, and [`math`] the elementary functions.
 //!
@@ -63,23 +69,23 @@
 //! * A quantity that has no value is `None` or a variant of an enum, never a wrong number.
 //! * Every finite result has the same bits on every target, with every feature.
 //!
-//! The guide to the [conventions](guide::conventions) has all of them: observers, interpolation, what lies outside
-//! the data, absolute units, whites.
+//! The guide to the [conventions](guide::conventions) has all of them: observers, interpolation, what lies
+//! outside the data, absolute units, whites.
 //!
 //! # Features
 //!
 //! A feature adds an interface or speed, and never changes a number.
 //!
-//! * `libm` (default) adds what needs exp, ln, pow or atan2 by its short name. Without it, the `_with` forms take a
-//!   backend such as [`math::Fast`].
+//! * `libm` (default) adds what needs exp, ln, pow or atan2 by its short name. Without it, the `_with` forms
+//!   take a backend such as [`math::Fast`].
 //! * `simd` adds explicit vectors on hosts other than x86-64, which has them always.
 //! * `std` and `micromath` add more [`math`] backends.
 //! * `heapless` adds the collection of samples in fixed memory, and `defmt` adds logging.
 //!
 //! # What is not there
 //!
-//! Files, text and plots (the program `nanospectra-cli` has them), spectra whose size is known only at run time, `f64`
-//! at run time, and color appearance beyond what TM-30 needs.
+//! Files, text and plots (the program `nanospectra-cli` has them), spectra whose size is known only at run
+//! time, `f64` at run time, and color appearance beyond what TM-30 needs.
 #![no_std]
 // On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating system,
 // which that label leaves out.
