@@ -230,7 +230,7 @@ export async function build(section) {
           h(
             'p',
             { class: 'hint' },
-            'The error is the difference to the sum at 1 nm, over the 99 color evaluation samples of CIE 224 under each lamp. Step, parabola and spline turn lamp and observer into one weight per band ahead of time; not folded multiplies the averages of both in each band.',
+            'The error is the difference to the sum at 1 nm, over the 99 color evaluation samples of CIE 224 under each lamp. The methods step, parabola and spline turn lamp and observer into one weight per band ahead of time. The method not folded multiplies the averages of both in each band.',
           ),
         ),
         h(

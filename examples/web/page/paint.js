@@ -108,7 +108,7 @@ function work() {
     unphysical: 'the spectrum has this color but leaves 0..1, so it is no reflectance',
     approximate: 'the spectrum comes near this color',
   };
-  view.status.textContent = `${chosen.method}: ${status[chosen.status]}. Its color differs by ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;
+  view.status.textContent = `${chosen.method}: ${status[chosen.status]}. The round trip is off by ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;
 }
 
 /** @param {HTMLElement} section */

@@ -221,7 +221,7 @@ export async function build(section) {
                 h(
                   'tr',
                   {},
-                  ...['effect', 'without it, dE', 'color', 'multiply-adds', 'bytes'].map((name, k) =>
+                  ...['part and effect', 'without it, ΔE', 'color', 'multiply-adds', 'bytes'].map((name, k) =>
                     h('th', { scope: 'col', class: k % 2 || k > 3 ? 'n' : '' }, name),
                   ),
                 ),
@@ -243,7 +243,7 @@ export async function build(section) {
           h(
             'label',
             { for: 'budget' },
-            'Leave effects out as long as the color changes by no more than this CIEDE2000',
+            'Leave effects out as long as the color changes by no more than this (CIEDE2000)',
           ),
           budget,
           view.budgetSaid,
