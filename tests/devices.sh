@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
-# Proves on devices what the README promises, with QEMU and node in place of the boards:
-#   the same bits    every target prints the hashes that the host prints, with and without the feature `simd`
-#   the same sense   one test file passes on the host and on every board; the log of an instrument, a driver on a bus
-#   so many steps    instructions of public calls, against tests/data/instructions.txt (within 2 %: none grows, no gain is left out)
-#   so many bytes    of flash and of stack, against the same file; and no panic, fmt, allocator or f64 with them
+# Tests on emulated devices what the documentation promises. QEMU stands for the boards, and node for a browser:
+#   bits           every target prints the same hashes as the host, with and without the feature `simd`
+#   meaning        one test file passes on the host and on every board, the log of an instrument is complete, and a
+#                  published driver reads a simulated chip
+#   instructions   public calls take as many as on record in tests/data/instructions.txt, within 2 % in both directions
+#   bytes          flash and stack are as in the same file, and images contain no panic, core::fmt, allocator or f64
 #
 #   tests/devices.sh             checks
-#   tests/devices.sh --bless     checks the bars, then records the bits and the numbers of this run
-#   tests/devices.sh --install   first installs what is missing (with CI=true it always does)
-#   tests/devices.sh --prices    prints what is on record as tables for the README, and nothing else
+#   tests/devices.sh --bless     checks the limits, then records the bits and the numbers of this run
+#   tests/devices.sh --install   first installs what is missing (always with CI=true)
+#   tests/devices.sh --prices    only prints the numbers on record as tables
 #
-# What this machine cannot run (no QEMU, no target, no node) is listed as SKIPPED and counted, never passed.
+# A check that this machine cannot run, for lack of QEMU, a target or node, is listed and counted as SKIPPED.
 set -euo pipefail
 export LC_ALL=C
 
@@ -18,9 +19,9 @@ cd "$(dirname "$0")/.."
 root=$PWD
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$root/target}/devices
 [[ $CARGO_TARGET_DIR == /* ]] || CARGO_TARGET_DIR=$root/$CARGO_TARGET_DIR
-# These would replace or join the flags that every build here chooses for itself.
-# The compiler that the records belong to, unless another is asked for.
+# The compiler is that of the records, unless another is asked for.
 export RUSTUP_TOOLCHAIN=${RUSTUP_TOOLCHAIN:-$(sed -n 's/.*OF_RECORDS: &str = "\(.*\)";/\1/p' tests/xtask/src/toolchain.rs)}
+# These variables would change the flags that each build chooses here.
 unset RUSTFLAGS CARGO_ENCODED_RUSTFLAGS CARGO_BUILD_TARGET CARGO_BUILD_RUSTFLAGS
 
 m4f=thumbv7em-none-eabihf
@@ -32,7 +33,8 @@ boards="$m4f $m33 $m0 $rv32"
 golden_bits=$root/tests/data/bits.txt
 golden_costs=$root/tests/data/instructions.txt
 
-# The bars, whatever is on record: "target profile what limit unit". `what` is a pattern; what it finds is added up.
+# The limits, which hold whatever is on record, as "target profile what limit unit". `what` is a pattern, and the
+# numbers of all names that it matches are added up.
 bars="
 $m4f release xyz-16 180 instructions
 $m4f small xyz-16 270 instructions
@@ -86,6 +88,6 @@ source tests/devices/record.sh
 
 section "devices: $passed ok, $failed FAILED, $skipped SKIPPED (after $SECONDS s)"
 if ((skipped > 0)) && [[ ${CI:-} == true ]]; then
-    echo "::warning::tests/devices.sh skipped $skipped checks, see its output"
+    echo "::warning::tests/devices.sh skipped $skipped checks; its output says why"
 fi
 ((failed == 0))

@@ -1,8 +1,8 @@
-//! The memory map and linker scripts that go with the target: QEMU's boards, one per target.
+//! Writes the memory map of QEMU's board for the target, and passes the linker scripts.
 
 use std::{env, error::Error, fs, path::Path};
 
-/// MPS2 with the AN386 image: a Cortex-M4F.
+/// The memory of MPS2 with the AN386 image, which has a Cortex-M4F.
 const AN386: &str = "\
 MEMORY {
   FLASH : ORIGIN = 0x00000000, LENGTH = 4M
@@ -10,7 +10,7 @@ MEMORY {
 }
 ";
 
-/// MPS2 with the AN505 image: a Cortex-M33, in its Secure state.
+/// The memory of MPS2 with the AN505 image, which has a Cortex-M33, in its Secure state.
 const AN505: &str = "\
 MEMORY {
   FLASH : ORIGIN = 0x10000000, LENGTH = 4M
@@ -18,7 +18,7 @@ MEMORY {
 }
 ";
 
-/// BBC micro:bit, nRF51822: a Cortex-M0 with what the real part has.
+/// The memory of the BBC micro:bit, whose nRF51822 has a Cortex-M0. It is that of the real part.
 const MICROBIT: &str = "\
 MEMORY {
   FLASH : ORIGIN = 0x00000000, LENGTH = 256K
@@ -26,7 +26,7 @@ MEMORY {
 }
 ";
 
-/// QEMU's RISC-V `virt`: everything in RAM, in two halves so that flash and RAM stay apart in the map.
+/// The memory of QEMU's RISC-V board `virt`. All of it is RAM, in two halves that stand for flash and RAM.
 const VIRT: &str = "\
 MEMORY {
   FLASH : ORIGIN = 0x80000000, LENGTH = 4M
@@ -42,7 +42,7 @@ REGION_ALIAS(\"REGION_STACK\", RAM);
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo:rerun-if-changed=build.rs");
-    // Set where the largest tables do not fit.
+    // This is set for boards whose flash is too small for the largest tables.
     println!("cargo:rustc-check-cfg=cfg(small_flash)");
     let target = env::var("TARGET")?;
     let map = match target.split('-').next() {
@@ -53,19 +53,19 @@ fn main() -> Result<(), Box<dyn Error>> {
             MICROBIT
         }
         Some("riscv32imac") => VIRT,
-        // A host has a linker script of its own.
+        // On a host the linker needs no script from here.
         _ => return Ok(()),
     };
     let out = env::var("OUT_DIR")?;
     fs::write(Path::new(&out).join("memory.x"), map)?;
     println!("cargo:rustc-link-search={out}");
-    // Small images start on no page boundary.
+    // With --nmagic, small images need not start on a page boundary.
     let first = if target.starts_with("riscv32") { "-Tmemory.x" } else { "--nmagic" };
     for images in ["bins", "tests"] {
         println!("cargo:rustc-link-arg-{images}={first}");
         println!("cargo:rustc-link-arg-{images}=-Tlink.x");
     }
-    // The words of its log stay in the file and out of flash.
+    // With this script the texts of the log stay in the file and out of flash.
     if env::var_os("CARGO_FEATURE_INSTRUMENT").is_some() {
         println!("cargo:rustc-link-arg-bin=sensor=-Tdefmt.x");
     }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Boots one image in QEMU; its output and exit code are the image's own.
-# The board follows from the target in the ELF's path: an image never meets a memory map it was not linked for.
+# Boots one image in QEMU: run.sh <elf>. The output and the exit code are those of the image.
+# The target in the path of the ELF decides on the board, so that the memory map is always the right one.
 set -euo pipefail
 
 elf=$1
@@ -13,14 +13,14 @@ case $elf in
 *) echo "run.sh: no machine for $elf" >&2; exit 2 ;;
 esac
 
-# icount shift=10: every instruction takes 2^10 ns of virtual time, which is 25.6 SysTick periods on the M4F, 20.5 on
-# the M33 and 16.4 on the M0: one instruction is far above the counter's resolution, so a count is exact.
+# With icount shift=10, every instruction takes 2^10 ns of virtual time, which is 25.6 periods of SysTick on the M4F,
+# 20.5 on the M33 and 16.4 on the M0. One instruction is far above the resolution of the counter, so counts are exact.
 boot() {
     timeout 120 "${qemu[@]}" -nographic -monitor none -serial none \
         -semihosting-config enable=on,target=native -icount shift=10 -kernel "$elf"
 }
 
-# An image that logs by defmt sends numbers only; the words are in its ELF.
+# An image that logs by defmt sends only numbers, and the texts are in its ELF.
 if grep -q __DEFMT_MARKER_END "$elf"; then
     decoder=(env -u CARGO_BUILD_TARGET cargo run --quiet
         --manifest-path "$here/decode/Cargo.toml" --target-dir "${CARGO_TARGET_DIR:-$here/target}" -- "$elf")

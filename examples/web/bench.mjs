@@ -1,6 +1,6 @@
-// How fast the modules are: node examples/web/tools/build.mjs --bench && node examples/web/bench.mjs
+// Measures the speed of the modules: node examples/web/tools/build.mjs --bench && node examples/web/bench.mjs
 //
-// Wall time of one machine, the best of many runs; no test depends on it.
+// It prints wall time on one machine, the best of many runs. No test depends on it.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { load } from './dist/nanospectra/nanospectra.js';
@@ -10,7 +10,7 @@ const BUILDS = [
   ['simd128', true],
 ];
 
-/** The best of three hundred runs, in ms: what else the machine does only adds. */
+/** Returns the best of three hundred runs, in ms, since other work of the machine can only add to it. */
 function time(work) {
   let best = Infinity;
   for (let k = 0; k < 300; k++) {
@@ -21,7 +21,7 @@ function time(work) {
   return best;
 }
 
-/** 318 lights with CRI: a frame is 16 ms. */
+/** Times 318 lights with CRI, to compare with the 16 ms of a frame. */
 async function batches(name, simd) {
   const spectra = await load({ simd }),
     lamps = [...(await spectra.loadLamps()).values()],
@@ -33,7 +33,7 @@ async function batches(name, simd) {
   console.log(`318 lights with CRI, ${name}: ${time(batch.measure).toFixed(1)} ms`);
 }
 
-/** Three sums over 81 bands, and a plain loop over the same. */
+/** Times three sums over 81 bands, and a plain loop over the same. */
 async function sums(name, simd) {
   const wasm = readFileSync(new URL(`dist/bench${simd ? '.simd' : ''}.wasm`, import.meta.url));
   const { exports } = (await WebAssembly.instantiate(wasm)).instance;

@@ -1,4 +1,4 @@
-// Runs the module's bit check and prints what the firmware image `bits` prints: node run.mjs <module.wasm>
+// Runs the bit check of a module and prints the same lines as the firmware image `bits`: node run.mjs <module.wasm>
 import { readFile } from 'node:fs/promises';
 
 const { instance } = await WebAssembly.instantiate(await readFile(process.argv[2]), {

@@ -12,7 +12,7 @@ const TYPES = {
   '.wasm': 'application/wasm',
 };
 
-/** Serves a folder on this machine. @param {string} folder @param {number} port 0 for any that is free */
+/** Serves a folder on this machine only. @param {string} folder @param {number} port 0 for any that is free */
 export function serve(folder, port = 0) {
   const server = createServer(async (request, response) => {
     try {
@@ -25,7 +25,7 @@ export function serve(folder, port = 0) {
       });
       response.end(bytes);
     } catch {
-      response.writeHead(404, { 'content-type': 'text/plain' }).end('not here');
+      response.writeHead(404, { 'content-type': 'text/plain' }).end('there is no such file');
     }
   });
   return new Promise((resolve) => {

@@ -12,7 +12,7 @@ for feature in core light paint scene cost bands bench lists; do
 done
 node tools/build.mjs --bench
 [[ -x node_modules/.bin/tsc ]] ||
-    echo "SKIPPED  sizes of the packed modules and page, and types: npm ci cannot install esbuild, binaryen and typescript"
+    echo "SKIPPED  the sizes of packed modules and page, and the types: npm ci cannot install esbuild, binaryen and typescript"
 node --test test/package.test.mjs test/sizes.test.mjs test/installed.test.mjs
 
 if ! command -v "${CHROMIUM:-chromium}" >/dev/null; then

@@ -1,9 +1,9 @@
-# The same bits on every target.
+# Compares the bits of results on every target.
 
 section "Bits"
 
-# same_bits <label> <file>: the file holds the hashes that the host printed. The tables of TM-30 do not fit the
-# smallest part; every other group must be there.
+# same_bits <label> <file>: checks that the file holds the hashes that the host printed. The tables of TM-30 do not fit
+# into the smallest part, but every other group must be there.
 same_bits() {
     local expected=$out/bits.expected
     case $1 in
@@ -13,7 +13,7 @@ same_bits() {
     if diff -u --label "host" --label "$1" "$expected" "$2"; then
         pass "$1: the same bits as the host ($(grep -c . "$2") groups)"
     else
-        fail "$1: other bits than the host"
+        fail "$1: the bits differ from those of the host"
     fi
 }
 
@@ -25,9 +25,9 @@ if [[ $bless == yes ]]; then
     } >"$golden_bits"
     echo "recorded in ${golden_bits#"$root"/}"
 elif diff -u --label "on record" --label "host" <(grep -sv '^#' "$golden_bits") "$out/bits.host"; then
-    pass "host: the bits on record"
+    pass "host: the bits are those on record"
 else
-    fail "host: other bits than on record (if meant, run with --bless)"
+    fail "host: the bits differ from those on record (if the change is meant, run tests/devices.sh --bless)"
 fi
 
 if firmware "host, simd" run --quiet --release --bin bits --features simd >"$out/bits.host-simd"; then

@@ -1,28 +1,28 @@
-# What calls cost in instructions and stack, what images cost in flash, and what must not be in them.
+# Measures the instructions and the stack of calls and the flash of images, and checks what images must not contain.
 
 section "Costs (release is opt-level 3, small is opt-level s)"
 
-costs=$out/costs       # "target profile what number unit", one a line
-measured=$out/measured # "target profile unit", what could be measured here
+costs=$out/costs       # lines "target profile what number unit"
+measured=$out/measured # lines "target profile unit" for what could be measured here
 : >"$costs" >"$measured"
 
-weights=$((3 * 16 * 4)) # bytes: what 16 bands need
-fine_row=$((471 * 4))   # bytes: one row of a 1 nm table, which no image here may have
+weights=$((3 * 16 * 4)) # the bytes of the weights of 16 bands
+fine_row=$((471 * 4))   # the bytes of one row of a 1 nm table, which no image here may have
 
-# Symbols of formatting, panics and allocators; and of soft f64, by the names that Arm's and GCC's run-time
-# libraries use.
+# Symbols of formatting, panics and allocators, and of software f64 by the names that the run-time libraries of Arm and
+# GCC use.
 allocator='rust_alloc|__rg_alloc|__rdl_alloc'
 text="4core3fmt|4core9panicking|flt2dec|$allocator"
 f64='__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d)|__[a-z]+df([0-9]|si|di|sf2)?$'
 
-# bytes <elf> <section>
+# bytes <elf> <section>: prints the size of a section.
 bytes() {
     local hex
     hex=$(readelf -SW "$1" | awk -v name="$2" '{ sub(/^ *\[ *[0-9]+\] */, "") } $1 == name { print $5 }')
     echo $((16#${hex:-0}))
 }
 
-# lacks <label> <elf> <what> <pattern>
+# lacks <label> <elf> <what> <pattern>: checks that no symbol of the image matches.
 lacks() {
     local found
     found=$(nm "$2" | grep -E "$4" | awk '{ print $NF }' || true)
@@ -33,25 +33,26 @@ lacks() {
     fi
 }
 
-# no_fine_table <label> <elf>: the largest constant is smaller than a row of 1 nm. (Vectors are none of ours.)
+# no_fine_table <label> <elf>: checks that the largest constant, without the interrupt vectors, is smaller than a row of
+# a 1 nm table.
 no_fine_table() {
     local largest
     largest=$(nm --print-size "$2" | awk '$3 ~ /^[rRdD]$/ && $4 != "__INTERRUPTS" { print $2 }' | sort | tail -1)
     if ((16#${largest:-0} < fine_row)); then
         pass "$1: no 1 nm table"
     else
-        fail "$1: a 1 nm table, or another of 0x$largest bytes"
+        fail "$1: the image has a table of 0x$largest bytes, which may be a 1 nm table"
     fi
 }
 
-# frugal <label> <elf>: what an image that links with a panic handler that cannot link must lack besides.
+# frugal <label> <elf>: checks that an image whose linking proves that it cannot panic also lacks what else is costly.
 frugal() {
     lacks "$1" "$2" "core::fmt, panic or allocator" "$text"
-    lacks "$1" "$2" "soft f64" "$f64"
+    lacks "$1" "$2" "software f64" "$f64"
     no_fine_table "$1" "$2"
 }
 
-# flash <target> <profile> <image>: what an image adds to a program that does nothing, on record.
+# flash <target> <profile> <image>: measures the flash that an image adds to a program that does nothing.
 flash() {
     local images=$CARGO_TARGET_DIR/$1/$2 code tables
     code=$(($(bytes "$images/$3" .text) - $(bytes "$images/empty" .text)))
@@ -59,23 +60,23 @@ flash() {
     echo "$1 $2 $3-code $code bytes" >>"$costs"
     echo "$1 $2 $3-tables $tables bytes" >>"$costs"
     if ((tables >= fine_row)); then
-        fail "$1 $2: $3 has room for a 1 nm table in $tables bytes of tables"
+        fail "$1 $2: $3 has $tables bytes of tables, which could hold a 1 nm table"
     fi
     [[ $3 == fold16 ]] || return 0
-    # At opt-level 3 the weights may become literals between the instructions; they are in the code then.
+    # At opt-level 3 the weights may become literals between the instructions, and are then part of the code.
     if ((code + tables < 3 * fine_row)) && { ((tables == weights)) ||
         { [[ $2 == release ]] && ((tables == 0)); }; }; then
         pass "$1 $2: fold16 has $tables bytes of tables and $code of code"
     else
-        fail "$1 $2: fold16 has $tables bytes of tables, must be $weights"
+        fail "$1 $2: fold16 has $tables bytes of tables; it must have $weights"
     fi
 }
 
-# inside <target> <profile>: looks into the images.
+# inside <target> <profile>: measures and checks the contents of the images.
 inside() {
     local label="$1 $2" images=$CARGO_TARGET_DIR/$1/$2 image
     if ! have readelf || ! have nm; then
-        skip "$label: no look into the images, readelf and nm (binutils) are not installed"
+        skip "$label: the images were not examined, since readelf and nm (binutils) are not installed"
         return
     fi
     for image in $priced; do
@@ -84,22 +85,22 @@ inside() {
     done
     echo "$1 $2 bytes" >>"$measured"
     for image in $counting; do
-        [[ $image != backends ]] || continue # `Libm` is there to show what soft f64 costs
-        lacks "$label: $image" "$images/$image" "soft f64" "$f64"
+        [[ $image != backends ]] || continue # its backend `Libm` uses software f64
+        lacks "$label: $image" "$images/$image" "software f64" "$f64"
     done
-    # The searches must find what is there: `count` prints, and the run-time library has every soft f64.
-    nm "$images/count" | grep -E "$text" >/dev/null || fail "$label: the search for core::fmt is blind"
+    # Both searches must find what exists: `count` prints, and the run-time library has all of software f64.
+    nm "$images/count" | grep -E "$text" >/dev/null || fail "$label: the search for core::fmt finds nothing where it must"
     nm "$(rustc --print sysroot)/lib/rustlib/$1/lib/"libcompiler_builtins-*.rlib 2>/dev/null |
-        grep -E "$f64" >/dev/null || fail "$label: the search for soft f64 is blind"
+        grep -E "$f64" >/dev/null || fail "$label: the search for software f64 finds nothing where it must"
 }
 
-# Images that print "what number unit" (no unit: instructions), and those whose flash has a price. Colors to spectra
-# are not counted on the M0: one takes more than its counter can hold.
+# The images that print "what number unit", where no unit means instructions, and those whose flash is measured. Finding
+# a spectrum for a color is not counted on the M0, where it takes more instructions than the counter can hold.
 counting="count surface_count path_count path_folded yardsticks backends price price_whole"
 counting_elsewhere="upsample_count"
 priced="fold16 counts_f32 counts_fixed upsample"
 
-# device_costs <target> <profile>
+# device_costs <target> <profile>: measures everything for one target and profile.
 device_costs() {
     local label="$1 $2" image
     can_run "$1" "$label, costs" || return 0
@@ -119,7 +120,7 @@ for target in $boards; do
     device_costs $target small
 done
 
-# no_panic <target> <profile> <image>: every run-time step in one image: it links only if none of them can panic.
+# no_panic <target> <profile> <image>: builds an image of many run-time steps, which links only if none can panic.
 no_panic() {
     local label="$1 $2: $3" elf=$CARGO_TARGET_DIR/$1/$2/$3
     can_run "$1" "$label" || return 0
@@ -127,7 +128,7 @@ no_panic() {
     pass "$label: links without a panic"
     have nm || { skip "$label: nm is not installed"; return 0; }
     lacks "$label" "$elf" "core::fmt, panic or allocator" "$text"
-    lacks "$label" "$elf" "soft f64" "$f64"
+    lacks "$label" "$elf" "software f64" "$f64"
     case $3 in
     *sensor) no_fine_table "$label" "$elf" ;;
     esac
@@ -140,16 +141,17 @@ for profile in release small; do
     done
 done
 
-# A path of factors costs what the loop by hand costs, and brings nothing along of the effects that are not in it.
+# A path of factors must cost as much as a loop by hand, and must not contain code of effects that are not in it.
 effects='fluorescen|onaldson|polariz|Polariz|phosphor|Phosphor'
 for profile in release small; do
     no_panic $m4f $profile path_plain
     label="$m4f $profile: path_plain" images=$CARGO_TARGET_DIR/$m4f/$profile
     if [[ -e $images/path_plain && -e $images/path_count ]] && have nm; then
         lacks "$label" "$images/path_plain" "fluorescence or polarization" "$effects"
-        nm "$images/path_count" | grep -E "$effects" >/dev/null || fail "$label: the search for effects is blind"
+        nm "$images/path_count" | grep -E "$effects" >/dev/null ||
+            fail "$label: the search for effects finds nothing where it must"
     else
-        skip "$label: no look for effects, not built, or nm is not installed"
+        skip "$label: the search for effects was not made, since the images were not built or nm is not installed"
     fi
 done
 for what in path-surface path-glass-surface; do
@@ -170,15 +172,15 @@ for what in path-surface path-glass-surface; do
     done
 done
 
-# What a user copies must not be dear either; these print or log, so panics and core::fmt are in them.
+# The examples that users copy must not be costly either. They print or log, so they contain panics and core::fmt.
 in_use() {
     local label="$1 release: $2" elf=$CARGO_TARGET_DIR/$1/release/$2
     if ! [[ -e $elf ]] || ! have nm; then
-        skip "$label: not built, or nm is not installed"
+        skip "$label: the image was not built, or nm is not installed"
         return
     fi
     lacks "$label" "$elf" "allocator" "$allocator"
-    lacks "$label" "$elf" "soft f64" "$f64"
+    lacks "$label" "$elf" "software f64" "$f64"
     no_fine_table "$label" "$elf"
 }
 for target in $boards; do
@@ -191,7 +193,7 @@ while read -r target profile what limit unit; do
     number=$(awk -v row="$target $profile" -v what="^$what\$" -v unit="$unit" '
         $1 " " $2 == row && $3 ~ what && $5 == unit { sum += $4; found = 1 }
         END { if (found) print sum }' "$costs")
-    label="$target $profile: $what takes ${number:-?} $unit, bar $limit"
+    label="$target $profile: $what takes ${number:-?} $unit, and at most $limit are allowed"
     if [[ -z $number ]]; then
         skip "$label (not measured)"
     elif ((number <= limit)); then

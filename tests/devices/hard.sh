@@ -1,11 +1,11 @@
-# The hard cases on a Cortex-M4F, subnormal numbers as IEEE 754 has them and flushed to zero. What they are off by
-# is computed from the record on a host (tests/hard).
+# Runs the hard cases on a Cortex-M4F, with subnormal numbers by IEEE 754 and then flushed to zero. Their errors are
+# computed from the record on a host (tests/hard).
 
 section "Hard cases"
 
 golden_hard=$root/tests/data/hard_m4f.txt
 
-# Of the second run only what flushing changes.
+# Keeps those results of the second run that flushing changes.
 what_flushing_changes() {
     awk '$0 == "flush-to-zero" { second = 1; print; next }
         !second { first[$1, $2] = $0; print; next }
@@ -26,9 +26,9 @@ hard_cases() {
         cp "$out/hard.recorded" "$golden_hard"
         echo "recorded in ${golden_hard#"$root"/}"
     elif diff -u --label "on record" --label "$m4f" "$golden_hard" "$out/hard.recorded"; then
-        pass "$label: the bits on record ($(grep -c . "$out/hard.device") results)"
+        pass "$label: the bits are those on record ($(grep -c . "$out/hard.device") results)"
     else
-        fail "$label: other bits than on record (if meant, run with --bless)"
+        fail "$label: the bits differ from those on record (if the change is meant, run tests/devices.sh --bless)"
     fi
 }
 hard_cases

@@ -1,4 +1,5 @@
-# What readings mean: one test file on the host and on every board, an instrument's log, a driver on a bus.
+# Tests the results of readings: one test file on the host and on every board, the log of an instrument, and a driver on
+# a simulated bus.
 
 section "Meaning"
 
@@ -15,7 +16,7 @@ on_target() {
     fi
 }
 
-# image <label> <name> <file> [cargo arguments]: runs an image by its runner, as a user does.
+# image <label> <name> <file> [cargo arguments]: runs an image by cargo, as a user does, and writes its output to a file.
 image() {
     local label=$1 name=$2 file=$3
     shift 3
@@ -32,31 +33,31 @@ for target in $boards; do
     on_target $target "$(profile_for $target)" --target $target
     if image $target driver "$out/driver.$target" --target $target; then
         if diff "$out/driver.host" "$out/driver.$target"; then
-            pass "$target: driver, as on the host"
+            pass "$target: driver prints the same as on the host"
         else
-            fail "$target: driver, other than on the host"
+            fail "$target: driver does not print the same as on the host"
         fi
     fi
-    # The first board's log is shown; the others must have the same.
+    # The log of the first board is shown, and those of the others must be equal to it.
     if image $target sensor "$out/log.$target" --target $target; then
         [[ -s $out/log ]] || { sed 's/^/    /' "$out/log.$target"; cp "$out/log.$target" "$out/log"; }
         if grep -q 'lx, Near' "$out/log" && diff "$out/log" "$out/log.$target"; then
-            pass "$target: sensor logs $(grep -c . "$out/log.$target") lines by defmt"
+            pass "$target: sensor logs $(grep -c . "$out/log.$target") lines by defmt, as on every board"
         else
-            fail "$target: sensor logs nothing, or other lines than the first board"
+            fail "$target: sensor logs nothing, or not the same lines as the first board"
         fi
     fi
 done
 
-# A test that cannot fail proves nothing.
+# This checks that a failing check is noticed.
 if can_run $m4f "$m4f, a check that must fail"; then
     if (cd "$root/examples/firmware" && MUST_FAIL=1 cargo test --quiet --release --test on_target --target $m4f) \
         >"$out/must_fail" 2>&1; then
-        fail "$m4f: a check that fails goes unnoticed"
+        fail "$m4f: a check that fails is not noticed"
     elif grep -q '^FAILED   nothing is asked to fail' "$out/must_fail"; then
         pass "$m4f: a check that fails is noticed"
     else
         cat "$out/must_fail"
-        fail "$m4f: the check that must fail is not the one that does"
+        fail "$m4f: another check failed than the one that must"
     fi
 fi

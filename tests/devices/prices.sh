@@ -1,7 +1,7 @@
-# The price list for the README: what is on record, as tables.
+# Prints the numbers on record as tables.
 
-# prices <file>: instructions of each call on each core, "release / small"; then stack and flash likewise; then the
-# functions of each math backend on each core.
+# prices <file>: prints the instructions of each call on each core as "release / small", then stack and flash likewise,
+# then the functions of each math backend on each core.
 prices() {
     local unit target
     for unit in instructions stack-bytes bytes; do
@@ -13,7 +13,7 @@ prices() {
                 count = split(cores, core, " ")
             }
             /^#/ || $5 != unit || $3 ~ /^math-.*-/ { next }
-            # Code and tables of an image are one price.
+            # The code and the tables of an image are added up.
             { what = $3; sub(/-(code|tables)$/, "", what) }
             !(what in known) { known[what] = 1; name[++names] = what }
             { price[what, $1, $2] += $4; has[what, $1, $2] = 1 }

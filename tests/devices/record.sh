@@ -1,9 +1,9 @@
-# The numbers of this run against those on record.
+# Compares the numbers of this run with those on record.
 
 section "Record"
 
 if [[ $bless == yes ]]; then
-    # What could not be measured here keeps its lines.
+    # Numbers that could not be measured here keep their lines.
     kept=$(cat "$golden_costs" 2>/dev/null | awk '
         /^#/ { next }
         FILENAME == ARGV[1] { ran[$0] = 1; next }
@@ -19,7 +19,8 @@ if [[ $bless == yes ]]; then
     echo "recorded in ${golden_costs#"$root"/}"
 else
     [[ -f $golden_costs ]] || fail "nothing is on record in ${golden_costs#"$root"/}"
-    # Prints every change; all but "moved" are failures: "stale" too, for it would let the number grow back unseen.
+    # Every change is printed, and all but "moved" are failures. "stale" is one as well, since the number could otherwise
+    # grow back without notice.
     awk '
         /^#/ { next }
         FILENAME == ARGV[1] { ran[$0] = 1; next }
@@ -27,16 +28,16 @@ else
         FILENAME == ARGV[2] { old[key] = $4; next }
         {
             seen[key] = 1
-            if (!(key in old)) print "new", key ": " $4 ", not on record"
+            if (!(key in old)) print "new", key ": " $4 " is not on record"
             else if ($4 > old[key] * 1.02) print "grown", key ": " old[key] " -> " $4
-            else if (old[key] > $4 * 1.02) print "stale", key ": " old[key] " -> " $4 ", less by over 2 %"
+            else if (old[key] > $4 * 1.02) print "stale", key ": " old[key] " -> " $4 ", which is less by over 2 %"
             else if ($4 != old[key]) print "moved", key ": " old[key] " -> " $4
         }
         END {
             for (key in old) {
                 split(key, part, " ")
                 if (key in seen || !((part[1] " " part[2] " " part[4]) in ran)) continue
-                print "gone", key ": was " old[key]
+                print "gone", key ": it was " old[key] " and was not measured now"
             }
         }' "$measured" <(cat "$golden_costs" 2>/dev/null) "$costs" | sort >"$out/changes"
     while read -r verdict change; do
@@ -46,9 +47,9 @@ else
         esac
     done <"$out/changes"
     if grep -qvE '^moved' "$out/changes"; then
-        echo "on record by $(grep -s '^# rustc' "$golden_costs"), now by $(rustc --version)"
+        echo "the record was made by $(grep -s '^# rustc' "$golden_costs"), and this run by $(rustc --version)"
         echo "if the change is meant, run tests/devices.sh --bless"
     elif [[ -s $measured ]]; then
-        pass "no number on record is off by more than 2 % ($(grep -c . "$costs") numbers)"
+        pass "every number is within 2 % of the record ($(grep -c . "$costs") numbers)"
     fi
 fi

@@ -1,4 +1,4 @@
-# Keeping score, installing, building and running: what every part of tests/devices.sh uses.
+# Counts results, installs, builds and runs images, for all parts of tests/devices.sh.
 
 passed=0 failed=0 skipped=0
 pass() { passed=$((passed + 1)); echo "ok       $*"; }
@@ -16,7 +16,7 @@ emulator() {
     esac
 }
 
-# can_run <target> <label>: whether `target` can be built and run here; if not it is skipped, and says why.
+# can_run <target> <label>: succeeds if `target` can be built and run here; otherwise reports it as skipped and says why.
 can_run() {
     if ! have_target "$1"; then
         skip "$2: target $1 is not installed (rustup target add $1)"
@@ -28,8 +28,8 @@ can_run() {
     return 1
 }
 
-# profile_for <target>: how images with everything in them are built. At opt-level 3 the soft floats of all groups of
-# bits do not fit the 256 KB of the smallest part.
+# profile_for <target>: prints the profile of images that contain everything. At opt-level 3 such an image with software
+# floats does not fit into the 256 KB of the smallest part.
 profile_for() {
     case $1 in
     $m0) echo small ;;
@@ -37,7 +37,7 @@ profile_for() {
     esac
 }
 
-# A failed install is not fatal: what needs it is skipped below, and says so.
+# Installs what is missing. If that fails, the checks that need it are reported as skipped.
 install() {
     local target sudo=
     [[ $(id -u) == 0 ]] || sudo=sudo
@@ -45,24 +45,26 @@ install() {
         have_target $target || rustup target add $target || echo "::warning::could not add $target"
     done
     if ! have qemu-system-arm || ! have qemu-system-riscv32 || ! have readelf; then
-        # qemu-utils is only recommended, and conflicts with other packages on some images.
+        # Recommended packages are left out, since qemu-utils conflicts with other packages on some systems.
         $sudo apt-get update &&
             $sudo apt-get install -y --no-install-recommends qemu-system-arm qemu-system-misc binutils ||
             echo "::warning::could not install QEMU or binutils"
-        # Newer releases have RISC-V in a package of its own.
+        # Newer releases have the emulator for RISC-V in a package of its own.
         have qemu-system-riscv32 || $sudo apt-get install -y --no-install-recommends qemu-system-riscv ||
             echo "::warning::could not install QEMU for RISC-V"
     fi
 }
 
-# firmware <label> <cargo arguments>: builds images, or runs one on the host (so what went wrong goes to stderr).
+# firmware <label> <cargo arguments>: builds images, or runs one on the host. Failures go to stderr, since stdout may be
+# the output of an image.
 firmware() {
     local label=$1
     shift
     (cd "$root/examples/firmware" && cargo "$@") || { fail "$label does not build" >&2; return 1; }
 }
 
-# measuring <label> <target> <profile> <image>...: builds images that measure, with nothing in them that does not.
+# measuring <label> <target> <profile> <image>...: builds images that measure, without the features that only other
+# images need.
 measuring() {
     local label=$1 target=$2 profile=$3
     shift 3
@@ -70,7 +72,7 @@ measuring() {
         --no-default-features --features measure "${@/#/--bin=}"
 }
 
-# boot <label> <elf> <file>: runs an image, and its output goes to the file.
+# boot <label> <elf> <file>: runs an image in QEMU and writes its output to the file.
 boot() {
     "$root/examples/firmware/run.sh" "$2" >"$3" || { fail "$1: $(basename "$2") exits with code $?"; return 1; }
 }

@@ -1,34 +1,40 @@
-//! What the images share. Each image in `src/bin` answers one question about the crate:
+//! The code that the images for microcontrollers share. Each image in `src/bin` is a program that answers one
+//! question about the crate. Two of them are examples to start from:
 //!
-//! | image        | question |
-//! |--------------|----------|
-//! | `bits`       | does this target compute the same bits as the host? |
-//! | `hard`       | what does an FPU make of the hard cases, with and without subnormal numbers? |
-//! | `count`      | how many instructions does a call take? |
-//! | `yardsticks` | how many do the methods of others take? |
-//! | `backends`   | how many do the functions of each math backend take? |
-//! | `price`      | how many does each step of a reading take, and how much stack? |
-//! | `price_whole` | how many does a whole reading take? |
-//! | `empty`      | how many bytes does a program need that measures nothing? |
-//! | `fold16`     | how many more when it turns 16 bands into XYZ? |
-//! | `counts_f32` | how many more when it turns 8 counts into XYZ, CCT and Lab? |
-//! | `counts_fixed` | how many when it does so in integers? |
-//! | `upsample` | how many when it finds the spectrum of an RGB? |
-//! | `upsample_count` | how many instructions does that take? |
-//! | `surface_count` | how many does light take over a surface, with how many bands? |
-//! | `path_count` | how many instructions does light take along a path? |
-//! | `path_folded` | how many when the path is folded into the eye? |
-//! | `path_plain` | does a path without effects bring any of them along? |
-//! | `no_panic`, `no_panic_light`, `no_panic_sensor` | can any step panic? |
-//! | `sensor`     | what does an instrument look like, with a window and a log? |
-//! | `driver`     | how do a published driver and this crate go together? |
+//! | image | what it shows |
+//! |---|---|
+//! | `sensor` | how an instrument turns readings into color, smooths the last ones and logs them |
+//! | `driver` | how a published driver of a sensor and this crate work together |
 //!
-//! `tests/devices.sh` asks all of them, and runs `tests/on_target.rs` on a host and on every board.
+//! The others measure, and print what they find:
+//!
+//! | image | question |
+//! |---|---|
+//! | `bits` | Does this target compute the same bits as the host? |
+//! | `hard` | What are the results of the hard cases, with and without subnormal numbers? |
+//! | `count` | How many instructions do public calls take? |
+//! | `yardsticks` | How many instructions do published methods of others take? |
+//! | `backends` | How many instructions do the functions of each math backend take? |
+//! | `price` | How many instructions and how much stack does each step of a reading take? |
+//! | `price_whole` | How many instructions and how much stack does a whole reading take? |
+//! | `empty` | How much flash does a program need that computes no color? |
+//! | `fold16` | How much more flash does it take to turn 16 bands into XYZ? |
+//! | `counts_f32` | How much more does it take to turn 8 counts into XYZ, CCT and Lab? |
+//! | `counts_fixed` | How much more does it take to turn 8 counts into XYZ and CCT in integers? |
+//! | `upsample` | How much more does it take to find the spectrum of an RGB color? |
+//! | `upsample_count` | How many instructions does it take to find the spectrum of an RGB color? |
+//! | `surface_count` | How many instructions does light take over a surface, by the number of bands? |
+//! | `path_count` | How many instructions does light take along a path? |
+//! | `path_folded` | How many instructions does a path take that is folded into the observer? |
+//! | `path_plain` | Does a path without fluorescence and polarization contain their code? |
+//! | `no_panic`, `no_panic_light`, `no_panic_sensor` | Can any run-time step of the crate panic? |
+//!
+//! `tests/devices.sh` runs all of them, and `tests/on_target.rs` on a host and on every board.
 #![no_std]
 
 pub use nanospectra_bits as bits;
 
-// What an image starts with: `#[nanospectra_firmware::entry] fn main() -> !`.
+// The attribute of an image's first function: `#[nanospectra_firmware::entry] fn main() -> !`.
 #[cfg(all(target_arch = "arm", target_os = "none"))]
 pub use cortex_m_rt::entry;
 #[cfg(all(target_arch = "riscv32", target_os = "none"))]

@@ -1,6 +1,6 @@
-//! Where `defmt` writes: the standard output of whoever runs the emulator or holds the debugger, on Arm and
-//! RISC-V alike. (`defmt-semihosting` wants a critical section as well; these images have one thread and no
-//! interrupts.)
+//! The logger of `defmt`, which writes to the standard output of the emulator or debugger, on Arm and RISC-V
+//! alike. The crate `defmt-semihosting` would also need a critical section, but these images have one thread
+//! and no interrupts.
 
 use core::cell::UnsafeCell;
 use defmt::{Encoder, Logger};
@@ -16,25 +16,25 @@ struct Channel {
 
 struct OneThread(UnsafeCell<Channel>);
 
-// SAFETY: one core, one thread, no interrupts.
+// SAFETY: there is one core with one thread and no interrupts.
 unsafe impl Sync for OneThread {}
 
 static CHANNEL: OneThread = OneThread(UnsafeCell::new(Channel { encoder: Encoder::new(), output: None }));
 
-/// Hands the encoder to `f`, and what it encodes to the output.
+/// Gives the encoder to `f` and writes what it encodes to the output.
 fn encode(f: impl FnOnce(&mut Encoder, &mut dyn FnMut(&[u8]))) {
-    // SAFETY: nothing that `f` does comes back here.
+    // SAFETY: `f` never calls this function.
     let Channel { encoder, output } = unsafe { &mut *CHANNEL.0.get() };
     if output.is_none() {
         *output = stdout().ok();
     }
     f(encoder, &mut |bytes| {
-        // A log that nobody takes is lost, and the measurement goes on.
+        // If the log cannot be written it is lost, and the measurement goes on.
         let _ = output.as_mut().map(|output| output.write_all(bytes));
     });
 }
 
-// SAFETY: `defmt` calls `write` and `release` after `acquire` only, and there is no one else to call it.
+// SAFETY: `defmt` calls `write` and `release` only after `acquire`, and nothing else calls them.
 unsafe impl Logger for Semihosting {
     fn acquire() {
         encode(|encoder, output| encoder.start_frame(output));

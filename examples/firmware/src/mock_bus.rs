@@ -1,5 +1,5 @@
-//! An AS7341 on an I2C bus, as far as a driver can tell: registers that can be written and read, photodiodes
-//! that the multiplexer's 20 bytes connect to converters, and measurements that are done at once.
+//! A simulated AS7341 on an I2C bus, for drivers. It has registers that can be written and read, photodiodes
+//! that the multiplexer's 20 bytes connect to converters, and measurements that end at once.
 
 use embedded_hal::delay::DelayNs;
 use embedded_hal::i2c::{ErrorKind, ErrorType, I2c, NoAcknowledgeSource, Operation, SevenBitAddress};
@@ -13,8 +13,9 @@ const DATA: usize = 0x95;
 const STATUS2: usize = 0xa3;
 const VALID: u8 = 1 << 6;
 
-/// F1 to F8, Clear, NIR: the register, and the bits of it, that say which converter counts for this diode (1
-/// to 6, 0 for none). Each diode has a second half elsewhere, always connected alike.
+/// For F1 to F8, Clear and NIR, the register and the position of the bits in it that choose the converter of
+/// the diode (1 to 6, or 0 for none). Each diode has a second half elsewhere, which is always connected
+/// alike.
 const CONNECTIONS: [(usize, u8); 10] = [
     (0x01, 0),
     (0x05, 0),
@@ -28,7 +29,7 @@ const CONNECTIONS: [(usize, u8); 10] = [
     (0x13, 0),
 ];
 
-/// The chip, with what its ten photodiodes count in the exposure of the recording.
+/// The chip, with the counts of its ten photodiodes in the exposure of the recording.
 pub struct As7341Registers {
     registers: [u8; 256],
     next: u8,
@@ -42,7 +43,7 @@ impl As7341Registers {
         As7341Registers { registers, next: 0, diodes }
     }
 
-    /// What a register holds.
+    /// Returns the value of a register.
     pub fn register(&self, address: u8) -> u8 {
         self.registers[usize::from(address)]
     }
@@ -51,7 +52,7 @@ impl As7341Registers {
         let address = usize::from(self.next);
         self.registers[address] = value;
         if address == ENABLE {
-            // The multiplexer is set up by the time one looks.
+            // Setting up the multiplexer takes no time here.
             self.registers[ENABLE] &= !MULTIPLEXER;
             self.registers[STATUS2] = if value & SPECTRAL == 0 { 0 } else { VALID };
             if value & SPECTRAL != 0 {
@@ -84,8 +85,8 @@ impl ErrorType for As7341Registers {
 }
 
 impl I2c for As7341Registers {
-    /// The first byte written is an address, the others go there and on; what is read comes from there and
-    /// on.
+    /// Writes and reads registers. The first byte that is written is an address; further bytes are written
+    /// from there on, and reading starts there.
     fn transaction(
         &mut self,
         address: SevenBitAddress,
@@ -109,7 +110,7 @@ impl I2c for As7341Registers {
     }
 }
 
-/// A delay that is over at once.
+/// A delay that returns at once.
 pub struct NoDelay;
 
 impl DelayNs for NoDelay {

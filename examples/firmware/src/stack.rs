@@ -1,6 +1,8 @@
-//! How much stack a call needs: paint what lies below, call, and see how deep the paint is gone.
+//! Measures how much stack a call needs: fills the memory below the stack pointer with a pattern, calls, and
+//! looks how far down the pattern was overwritten.
 //!
-//! Works on any board. What a call reserves but never writes keeps its paint, so a little may be missing.
+//! This works on any board. Memory that a call reserves but never writes keeps the pattern, so the result can
+//! be a little too small.
 
 use crate::clock::{Erased, erase};
 use core::arch::asm;
@@ -8,12 +10,12 @@ use core::hint::black_box;
 use core::ptr::with_exposed_provenance_mut;
 
 const PAINT: u32 = 0x5ac3_96e1;
-/// 4 KiB: what the smallest board has to spare.
+/// How many words are filled: 4 KiB, which the smallest board can spare.
 const WORDS: usize = 1024;
 
-/// Bytes of stack below the caller's that `f` takes to get from `input` to `output`.
+/// Returns the bytes of stack below the caller's that `f` takes to get from `input` to `output`.
 ///
-/// What a function that does nothing seems to take is taken off.
+/// The apparent need of a function that does nothing is subtracted.
 pub fn needs<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> usize {
     depth(f, input, output).saturating_sub(depth(nothing, &(), &mut ()))
 }
@@ -25,14 +27,15 @@ fn depth<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> usize {
     painted(erase(f), (&raw const *input).cast(), (&raw mut *output).cast())
 }
 
-/// One frame for every call that is measured. Nothing but `f` is called from it: all else stays above the
-/// paint.
+/// Fills the memory, calls a function and returns the bytes that it has overwritten. Only `f` is called from
+/// this frame, so everything else stays above the pattern.
 #[inline(never)]
 fn painted(f: Erased, input: *const (), output: *mut ()) -> usize {
     let (f, input) = black_box((f, input));
     let top = stack_pointer();
     for word in 1..=WORDS {
-        // SAFETY: below the stack pointer and above the statics; no interrupt is enabled that could be there.
+        // SAFETY: the word is below the stack pointer and above the statics, and no interrupt that could use
+        // it is enabled.
         unsafe { with_exposed_provenance_mut::<u32>(top - 4 * word).write_volatile(PAINT) };
     }
     f(input, output);
@@ -47,7 +50,7 @@ fn painted(f: Erased, input: *const (), output: *mut ()) -> usize {
 #[inline(always)]
 fn stack_pointer() -> usize {
     let top;
-    // SAFETY: reads a register.
+    // SAFETY: the instruction only reads a register.
     unsafe {
         #[cfg(target_arch = "arm")]
         asm!("mov {}, sp", out(reg) top, options(nomem, nostack, preserves_flags));

@@ -1,8 +1,8 @@
-//! The steps of the price list: what they are called, what they do, and the inputs of which the dearest
-//! counts.
+//! The steps of the price list: their names, the functions that are measured, and the inputs. For each step
+//! the input with the highest cost counts.
 //!
-//! A step is one function (not inlined, from memory to memory) and one line in [`all`]; `tests/devices.sh`
-//! puts every name that it has not seen before on record.
+//! A step is one function, which is not inlined and goes from memory to memory, and one line in [`all`].
+//! `tests/devices.sh --bless` records every name, also new ones.
 
 use crate::pipeline::{Color, FIXED_METER, METER, TO_XYZ, WHITE, measure};
 use crate::readings::{BLACK_BODY, DAYLIGHT, EXPOSURE, FLUORESCENT, INCANDESCENT, LED};
@@ -13,20 +13,20 @@ use nanospectra::sensor::fixed::{FixedCct, FixedObserver, FixedXyz};
 use nanospectra::sensor::{BasicCounts, ReadingError};
 use nanospectra::{Curve, Nodes, Observer, Power};
 
-/// Measures a step, in whatever it is that it measures.
+/// A program that measures steps, for example in instructions.
 pub trait Meter {
     fn step<A, R: Default>(&mut self, name: &str, f: fn(&A, &mut R), inputs: &[A]);
 }
 
-/// Readings of five lights.
+/// The readings of five lights.
 const COUNTS: [[u16; 8]; 5] = [INCANDESCENT, DAYLIGHT, FLUORESCENT, LED, BLACK_BODY];
 
-/// All of it, as the one thing that a program does.
+/// Measures a whole reading, in a program that does nothing else.
 pub fn whole(meter: &mut impl Meter) {
     meter.step("counts-f32", counts_f32, &COUNTS);
 }
 
-/// Step by step, in floats and in integers.
+/// Measures every step by itself, in floating point and in integers.
 pub fn all(meter: &mut impl Meter) {
     let counts = COUNTS;
     let basic = counts.map(|counts| EXPOSURE.basic_counts(&counts).unwrap_or(BasicCounts::new([0.0; 8])));
@@ -45,7 +45,7 @@ pub fn all(meter: &mut impl Meter) {
     meter.step("fixed-xyz-81", fixed_xyz_81, &[[0xffff; 81]]);
 }
 
-/// What a step says, and something to say before it.
+/// The result of a step, with a default for the time before it.
 struct Outcome<T>(Result<T, ReadingError>);
 
 impl<T> Default for Outcome<T> {
@@ -84,19 +84,19 @@ fn counts_xyz(counts: &[u16; 8], out: &mut Outcome<Xyz>) {
     out.0 = EXPOSURE.basic_counts(counts).and_then(|basic| TO_XYZ.xyz(&basic));
 }
 
-/// The same in one pass, for an exposure that stays.
+/// Does the same as `counts_xyz` in one pass, for an exposure that does not change.
 #[inline(never)]
 fn counts_xyz_meter(counts: &[u16; 8], out: &mut Outcome<Xyz>) {
     out.0 = METER.xyz(counts);
 }
 
-/// All of it: saturation checked, XYZ, CCT, Duv and Lab.
+/// Does a whole reading: checks for saturation, then computes XYZ, CCT, Duv and Lab.
 #[inline(never)]
 fn counts_f32(counts: &[u16; 8], out: &mut Outcome<Color>) {
     out.0 = measure(counts);
 }
 
-/// 81 bands of 16 bits, as a mini-spectrometer has them.
+/// An observer for 81 bands of 16 bits, such as a mini-spectrometer gives.
 static FIXED_EYE: FixedObserver<3, 81, Nodes<380, 780>> = {
     let eye: Observer<3, 81, Power, Nodes<380, 780>> = CIE_1931.fold(Curve::Spline);
     FixedObserver::new(&eye).unwrap()

@@ -1,13 +1,13 @@
-//! A vest in fluorescent yellow, and a lamp: made while compiling, for the images with paths.
+//! A fluorescent yellow vest and a lamp, which the compiler computes for the images with paths.
 
 use nanospectra::light::FL11;
 use nanospectra::matter::Dye;
 use nanospectra::{Interpolation, Light, Reflectance, const_unwrap};
 
-/// FL11 at the centers of 31 bands.
+/// The light of FL11 at the centers of 31 bands.
 pub static LAMP: Light<31> = FL11.interpolate(Interpolation::Linear);
 
-/// Absorbs blue (up to 490 nm) and emits green (500 to 580 nm).
+/// A dye that absorbs blue (up to 490 nm) and emits green (500 to 580 nm).
 pub static VEST: Dye<31> = {
     let (mut reflects, mut absorbs, mut emits) = ([0.1; 31], [0.0; 31], [0.0; 31]);
     let mut k = 0;

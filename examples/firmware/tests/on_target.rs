@@ -1,12 +1,12 @@
-//! What readings mean, checked by the same file on a host and on boards:
+//! Tests the results of readings, by the same program on a host and on boards:
 //!
 //! ```text
-//! cargo test                              # here
-//! cargo test --target thumbv6m-none-eabi  # and on a board, in QEMU by run.sh or on your desk by probe-rs
+//! cargo test                              # on this machine
+//! cargo test --target thumbv6m-none-eabi  # on a board, which is QEMU by run.sh, or a real one by probe-rs
 //! ```
 //!
-//! Exits with 1 if a check fails. With `MUST_FAIL=1` in the environment of the build one does: a test of the
-//! test.
+//! It exits with 1 if a check fails. To test that, one check fails if the program is built with `MUST_FAIL=1`
+//! in the environment.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use as7341::{As7341, Gain};
@@ -47,7 +47,7 @@ fn exit_code() -> i32 {
     i32::from(checks.failed > 0)
 }
 
-/// The hash that a group of results must have.
+/// Returns the hash on record for a group of results.
 fn recorded(group: &str) -> Option<u32> {
     let mut lines = include_str!("../../../tests/data/bits.txt").lines();
     let hash = lines.find_map(|line| line.strip_prefix(group)?.strip_prefix(' '))?;
@@ -74,7 +74,8 @@ fn near<const N: usize>(values: [f32; N], expected: [f32; N], allowed: f32) -> b
     values.iter().zip(&expected).all(|(value, expected)| (value - expected).abs() <= allowed)
 }
 
-/// Expected values are by numpy in f64, with the nearest black body by search.
+/// Checks readings of lamps. The expected values were computed by numpy in f64, which found the nearest black
+/// body by search.
 fn lamps(checks: &mut Checks) {
     let mut lamp = |what: &str, counts: &[u16; 8], xyz: [f32; 3], cct: [f32; 2], lab: [f32; 3]| {
         let color = measure(counts).unwrap_or(NOTHING);
@@ -109,55 +110,63 @@ fn lamps(checks: &mut Checks) {
 
 const NOTHING: Color = Color { xyz: Xyz { x: 0.0, y: 0.0, z: 0.0 }, cct: Cct::OffLocus, lab: None };
 
-/// The ends of the range.
+/// Checks readings at the ends of the range.
 fn limits(checks: &mut Checks) {
     let mut counts = DAYLIGHT;
     (counts[2], counts[7]) = (18_000, 18_001);
     let saturated = measure(&counts);
     checks.that(
-        "a channel at full scale is saturated, and named",
+        "a channel at full scale is saturated, and the error names it",
         matches!(saturated, Err(ReadingError::Saturated { channels }) if channels.bits() == 0b1000_0100),
     );
-    checks.that("no counts are too dark", measure(&[0; 8]) == Err(ReadingError::TooDark));
+    checks.that("counts of zero are too dark", measure(&[0; 8]) == Err(ReadingError::TooDark));
     let [equal, full] = [[5000; 8], [17_999; 8]].map(|counts| measure(&counts).unwrap_or(NOTHING));
-    checks.that("all equal", near(equal.xyz.to_array(), [662.16215, 661.20604, 846.90953], 1e-3));
     checks.that(
-        "one count below full scale",
+        "equal counts in all channels give this XYZ",
+        near(equal.xyz.to_array(), [662.16215, 661.20604, 846.90953], 1e-3),
+    );
+    checks.that(
+        "counts just below full scale give this XYZ",
         near(full.xyz.to_array(), [2383.6513, 2380.2095, 3048.705], 4e-3),
     );
     let cct = [equal, full].map(|color| color.cct.near().unwrap_or_default().0);
-    checks.that("the same color at any brightness", near(cct, [7262.05; 2], 0.8));
+    checks.that("the color temperature does not depend on brightness", near(cct, [7262.05; 2], 0.8));
     checks.that(
-        "a deep red alone is no light that the calibration knows",
+        "a light of deep red alone is beyond the calibration",
         matches!(measure(&[0, 0, 0, 0, 0, 0, 0, 9000]), Err(ReadingError::Negative { xyz }) if xyz.y < 0.0),
     );
 }
 
-/// Channels below their dark level count, negatively.
+/// Checks that a channel below its dark level counts, as a negative number.
 fn dark(checks: &mut Checks) {
     let mut counts = INCANDESCENT;
     counts[0] = 100;
     let basic = EXPOSURE.basic_counts_above(&[120.0; 8], &counts);
-    checks.that("20 below dark", basic.is_ok_and(|basic| near([basic.values()[0]], [-20.0 / 800.64], 1e-6)));
+    checks.that(
+        "20 counts below the dark level are negative",
+        basic.is_ok_and(|basic| near([basic.values()[0]], [-20.0 / 800.64], 1e-6)),
+    );
     let xyz = basic.and_then(|basic| TO_XYZ.xyz(&basic)).unwrap_or(NOTHING.xyz);
-    checks
-        .that("and brighter than dark in all", near(xyz.to_array(), [531.17035, 483.83425, 151.96392], 1e-3));
+    checks.that(
+        "one negative channel of a bright reading is accepted",
+        near(xyz.to_array(), [531.17035, 483.83425, 151.96392], 1e-3),
+    );
 
     let levels = [130.0, 120.0, 140.0, 125.0, 118.0, 131.0, 122.0, 127.0];
     let noise: [u16; 8] = [120, 121, 139, 130, 123, 130, 125, 129];
     let color = EXPOSURE.basic_counts_above(&levels, &noise).and_then(|basic| TO_XYZ.xyz(&basic));
     checks.that(
-        "noise about dark is no color",
+        "noise around the dark level has no color",
         matches!(color, Err(ReadingError::Negative { xyz }) if xyz.z < 0.0 && xyz.y > 0.0),
     );
     let strict = EXPOSURE.with_floor(10.0);
     checks.that(
-        "nor light, for a floor of 10",
+        "with a floor of 10 counts such noise is too dark",
         strict.basic_counts_above(&levels, &noise) == Err(ReadingError::TooDark),
     );
 }
 
-/// Bytes on a bus, through a published driver.
+/// Checks that a published driver reads the simulated chip.
 fn driver(checks: &mut Checks) {
     let diodes = [106, 1023, 1182, 2001, 3619, 5224, 6082, 3066, 6231, 240];
     let mut chip = As7341::new(As7341Registers::counting(diodes), NoDelay);
@@ -168,5 +177,8 @@ fn driver(checks: &mut Checks) {
     );
     let (bus, _) = chip.destroy();
     let (atime, astep) = (bus.register(0x81), u16::from_le_bytes([bus.register(0xca), bus.register(0xcb)]));
-    checks.that("in the exposure of the recording", chip::as7341::exposure(16.0, atime, astep) == EXPOSURE);
+    checks.that(
+        "the driver sets the exposure of the recording",
+        chip::as7341::exposure(16.0, atime, astep) == EXPOSURE,
+    );
 }

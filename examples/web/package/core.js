@@ -1,12 +1,12 @@
-// The small module: a light to XYZ, CCT and sRGB, Lab, an sRGB color to a spectrum.
+// The small module `core`: a light to XYZ, CCT and sRGB; Lab; an sRGB color to a spectrum.
 import { Instrument, labOf } from './instrument.js';
 import { all, decoded, encoded, hex, single, three } from './numbers.js';
 import { sourceOf, wrong } from './samples.js';
 
-/** What the small module does. */
+/** The functions of the module `core`. */
 export class Core extends Instrument {
   /**
-   * A light: XYZ (Y = 100), chromaticities, CCT and Duv, its color on a display.
+   * Computes XYZ (with Y = 100), chromaticities, CCT, Duv and the display color of a light.
    * @param {Parameters<typeof sourceOf>[0]} samples
    */
   spectrum(samples, { name = 'samples' } = {}) {
@@ -25,19 +25,19 @@ export class Core extends Instrument {
     };
   }
 
-  /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
+  /** Returns L*, a*, b* relative to a white, or null if that is not a white. @param {number[]} xyz @param {number[]} white */
   lab(xyz, white) {
     return labOf(this, xyz, white);
   }
 
   /**
-   * The reflectance of an encoded sRGB color at 400, 410 .. 700 nm; null if no smooth one has it.
+   * Returns a reflectance at 400, 410 .. 700 nm that has this encoded sRGB color, or null if no smooth one has it.
    * @param {[number, number, number]} rgb 0..1
    */
   upsample(rgb) {
     rgb = three(rgb, 'rgb');
     if (!rgb.every(Number.isFinite))
-      throw new Error('too large, its spectrum is not finite; give smaller numbers, 0..1 for surfaces');
+      throw new Error('the numbers are too large, and the spectrum is not finite; give smaller numbers (0..1 for surfaces)');
     if (this.wasm.upsample(...rgb.map(decoded))) return null;
     return { first_nm: 400, step_nm: 10, values: Array.from(this.out.slice(0, 31), single) };
   }

@@ -1,3 +1,7 @@
 import type { Source } from './nanospectra.js';
-/** All spectra of a text: the first column is the wavelength in nm, every other column is a spectrum. Strict: an Error says where and what. */
+/**
+ * Reads all spectra of a table: the first column is the wavelength in nm, and every other column is a spectrum. A text
+ * that is not plainly such a table is refused with an Error that names the line and the fault. `file` is used as the
+ * name of the file in messages.
+ */
 export function parse(text: string, file?: string): Source[];

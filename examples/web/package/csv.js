@@ -1,9 +1,9 @@
-// Text to spectra, strictly: what is not plainly a table of numbers is an error that says where, in the words of the
-// command `nanospectra measure`.
+// Reads spectra from text. A text that is not plainly a table of numbers is refused with a message that names the line,
+// in the words of the command `nanospectra measure`.
 
 import { plain } from './numbers.js';
 
-/** The first forty characters of somebody's text. @param {string} text */
+/** Returns at most forty characters of a text, for a message. @param {string} text */
 function short(text) {
   const all = [...text];
   return all.length > 40 ? `${all.slice(0, 40).join('')}..` : text;
@@ -33,7 +33,7 @@ function number(cell, what) {
 
 const count = (cells) => (cells === 1 ? '1 cell' : `${cells} cells`);
 
-/** What stands between the cells of a row of numbers: a mark, or '' for blanks. @param {string} row */
+/** Returns the mark between the cells of a row of numbers, or '' if blanks separate them. @param {string} row */
 function separatorOf(row) {
   const bare = row
     .split('"')
@@ -51,7 +51,7 @@ function cellsOf(line, mark) {
   return mark ? line.split(mark).map((cell) => cell.trim()) : line.trim().split(/\s+/);
 }
 
-/** Quotes by the rules of CSV, but closed on the line where they were opened. */
+/** Splits a line with quotes by the rules of CSV, except that quotes must close on the line where they open. */
 function quoted(line, mark) {
   const parts = line.split('"'),
     last = parts.length - 1,
@@ -60,7 +60,7 @@ function quoted(line, mark) {
   for (let k = 0; k <= last; k += 2) {
     const outside = mark ? parts[k].replace(/^ +| +$/g, '') : parts[k];
     const apart = (k === 0 || outside.startsWith(delimiter)) && (k === last || outside.endsWith(delimiter));
-    // Nothing between two quotes is a quote inside a quoted cell.
+    // If nothing is between two quotes, they are one quote inside a quoted cell.
     if (outside !== '' && !apart) {
       throw new Error('there is text beside a quoted cell; put the quotes around the whole cell');
     }
@@ -80,7 +80,7 @@ function quoted(line, mark) {
   return cells.map((cell) => cell.trim()).filter((cell) => mark || cell !== '');
 }
 
-/** A first line without a wavelength is a heading only if it looks like one. */
+/** Refuses a first line that has no wavelength and does not look like a heading either. */
 function checkHeading(cells) {
   const first = cells[0] ?? '',
     lower = first.toLowerCase();
@@ -94,15 +94,15 @@ function checkHeading(cells) {
 }
 
 /**
- * @typedef {object} Source a column of a file
+ * @typedef {object} Source one spectrum of a file
  * @property {string} file
  * @property {string} name
- * @property {number[]} lines the line of each sample, counted from 1
- * @property {[number, number][]} samples wavelength in nm and value; finite, increasing, at least two
+ * @property {number[]} lines the line on which each sample stands, counted from 1
+ * @property {[number, number][]} samples at least two pairs of wavelength in nm and value, finite and increasing
  */
 
 /**
- * All spectra of a text: the first column is the wavelength in nm, every other column is a spectrum.
+ * Reads all spectra of a text: the first column is the wavelength in nm, and every other column is a spectrum.
  * @param {string} text @param {string} [file] its name, for messages and for spectra without a heading
  * @returns {Source[]}
  */
@@ -199,7 +199,7 @@ export function parse(text, file = 'pasted') {
   }
 }
 
-/** The names of the columns that the first row promises. */
+/** Returns the names of the columns, as the heading and the first row of numbers define them. */
 function namesOf(row, heading) {
   if (row.length < 2) {
     throw new Error(

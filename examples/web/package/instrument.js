@@ -1,4 +1,4 @@
-// What every module has: memory, a spectrum at every nanometer, the CIE's lamps.
+// The base of all modules that measure spectra: shared memory, a spectrum at every nanometer, and the CIE's lamps.
 import { ILLUMINANTS, OBSERVERS } from './lists.js';
 import { all, three } from './numbers.js';
 import { read } from './read.js';
@@ -8,7 +8,7 @@ export const FIRST = 360,
   NODES = 471;
 const CAPACITY = 4096;
 
-/** The words for what `interpolate` and its like refuse. */
+/** Returns the words for an error code of the exports that read samples. */
 function refusal(code) {
   const index = code >> 3;
   return (
@@ -22,7 +22,7 @@ function refusal(code) {
   );
 }
 
-/** A module that measures spectra at 360..830 nm. */
+/** The base class of modules that measure spectra at 360..830 nm. */
 export class Instrument {
   /** @param {Record<string, any>} wasm @param {boolean} simd @param {Float32Array[]} tables the CIE's, the first is x, y, z of 1931 @param {string | URL} base where the package's files are */
   constructor(wasm, simd, tables, base) {
@@ -39,10 +39,10 @@ export class Instrument {
     this.lamps = null;
   }
 
-  /** Samples into the module's `samples`. @returns {number} how many */
+  /** Writes samples to the module's `samples`. @returns {number} how many there are */
   write(samples, at = 0) {
     if (at + samples.length > CAPACITY) {
-      throw new Error(`${at + samples.length} samples where ${CAPACITY} have room; average neighbors`);
+      throw new Error(`there are ${at + samples.length} samples, and ${CAPACITY} have room; average neighbors`);
     }
     samples.forEach(([nm, value], k) => {
       this.pairs[2 * (at + k)] = nm;
@@ -52,7 +52,7 @@ export class Instrument {
   }
 
   /**
-   * A spectrum at every nanometer into the module's `curve`.
+   * Interpolates a spectrum at every nanometer into the module's `curve`.
    * @param {import('./csv.js').Source} source @param {{sprague?: boolean, hold?: boolean, scaled?: (x: number) => number}} how
    */
   read(source, { sprague = false, hold = false, scaled = (x) => x } = {}) {
@@ -78,7 +78,10 @@ export class Instrument {
     }
   }
 
-  /** A light into `curve`, brought near 1 by a power of two. @returns {number} the numbers of the source are that times the curve */
+  /**
+   * Reads a light into `curve`, scaled by a power of two so that its numbers are of ordinary size.
+   * @returns {number} the number by which the curve is multiplied to get the samples
+   */
   readLight(source, sprague) {
     checkReach(source);
     const peak = source.samples.reduce((peak, [, value]) => Math.max(peak, Math.abs(value)), 0);
@@ -95,7 +98,7 @@ export class Instrument {
     return 2 ** (2 * half);
   }
 
-  /** Brings the CIE's lamps, by name, from lamps.json. @param {string | URL} [base] */
+  /** Loads the CIE's lamps from lamps.json, by name. @param {string | URL} [base] */
   async loadLamps(base = this.base) {
     const lamps = JSON.parse(new TextDecoder().decode(await read(new URL('lamps.json', base))));
     this.lamps = new Map(
@@ -114,10 +117,10 @@ export class Instrument {
     return this.lamps;
   }
 
-  /** The lamp of that name into `curve`. */
+  /** Reads the lamp of a name into `curve`. */
   named(name, place) {
     if (!this.lamps)
-      throw new Error(`${place}: '${name}' is a name, and there are no lamps yet; await loadLamps() first`);
+      throw new Error(`${place}: '${name}' names a lamp, but there are no lamps yet; await loadLamps() first`);
     const lamp = this.lamps.get(String(name).toUpperCase());
     if (!lamp) {
       throw new Error(`${place}: '${name}' is no CIE illuminant; use one of ${ILLUMINANTS}`);
@@ -126,7 +129,7 @@ export class Instrument {
     return lamp;
   }
 
-  /** A light by name or from samples into `curve`. @returns {import('./csv.js').Source} */
+  /** Reads a light into `curve`, by name or from samples. @returns {import('./csv.js').Source} */
   lightOf(light, sprague = false) {
     if (typeof light === 'string') return this.named(light, '--light');
     const source = sourceOf(light, 'light');
@@ -142,9 +145,9 @@ export class Instrument {
   }
 }
 
-/** L*, a*, b* by a module that has them; null if the white is none. @param {Instrument} instrument @param {number[]} xyz @param {number[]} white */
+/** Returns L*, a*, b* by a module that computes them, or null if the white is not a white. @param {Instrument} instrument @param {number[]} xyz @param {number[]} white */
 export function labOf({ wasm, out }, xyz, white) {
   const numbers = [...three(xyz, 'xyz'), ...three(white, 'white')];
-  if (!numbers.every(Number.isFinite)) throw new Error('X, Y, Z are not finite; give numbers');
+  if (!numbers.every(Number.isFinite)) throw new Error('X, Y or Z is not finite; give finite numbers');
   return wasm.lab(...numbers) ? null : all(out.slice(0, 3));
 }

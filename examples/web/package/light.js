@@ -1,4 +1,4 @@
-// Every number about a light or a surface, one by one or in batches.
+// The module `light`: every number about a light or a surface, for one spectrum or for batches.
 import { FIRST, Instrument, NODES, labOf } from './instrument.js';
 import { OBSERVERS } from './lists.js';
 import { all, double, hex, plain, single } from './numbers.js';
@@ -7,7 +7,7 @@ import { checkReach, remarks, sourceOf, wrong } from './samples.js';
 const EYES = OBSERVERS.map(([name]) => name);
 const RULES = ['linear', 'sprague'];
 const UNITS = ['relative', 'absolute'];
-/** CIE 13.3: a test light further than this from its reference has no meaningful Ra. */
+/** By CIE 13.3, the Ra of a light that is further than this from its reference means little. */
 const MAX_DC = 5.4e-3;
 
 const NO_WHITE = [
@@ -38,11 +38,12 @@ const OF_THE_LIGHT = [
   'ppfd',
 ];
 
-/** What the module `light` does. */
+/** The functions of the module `light`. */
 export class Light extends Instrument {
   /**
-   * Tables of the CIE that it measures with, in the order of tools/tables.mjs: x, y, z of 1931 at 360..830 nm and the 99
-   * samples of CIE 224 at 380..780 nm, row after row; the test colors and a white every 5 nm from 350 nm, node after node.
+   * The CIE's tables that it measures with, which stand in the order of tools/tables.mjs: x, y, z of 1931 at 360..830 nm
+   * and the 99 samples of CIE 224 at 380..780 nm, row after row; and for every 5 nm from 350 nm the test colors and a
+   * white.
    */
   get published() {
     const { tables } = this;
@@ -50,7 +51,8 @@ export class Light extends Instrument {
   }
 
   /**
-   * Every number about a spectrum, with the keys of `nanospectra measure --json`; what is not defined is null, and a note says why.
+   * Computes every number about a spectrum, with the keys of `nanospectra measure --json`. A number that is not defined
+   * is null, and a note says why.
    * @param {Parameters<typeof sourceOf>[0]} samples
    * @param {import('./nanospectra.d.ts').SpectrumOptions} [options]
    */
@@ -63,9 +65,10 @@ export class Light extends Instrument {
       unit = 'relative',
     } = options;
     const eye = EYES.indexOf(observer);
-    if (eye < 0) throw new Error(`no observer ${observer}; use ${EYES.join(', ')}`);
-    if (!RULES.includes(interpolation)) throw new Error(`no interpolation ${interpolation}; use ${RULES.join(', ')}`);
-    if (!UNITS.includes(unit)) throw new Error(`no unit ${unit}; use ${UNITS.join(', ')}`);
+    if (eye < 0) throw new Error(`there is no observer ${observer}; use one of ${EYES.join(', ')}`);
+    if (!RULES.includes(interpolation))
+      throw new Error(`there is no interpolation ${interpolation}; use one of ${RULES.join(', ')}`);
+    if (!UNITS.includes(unit)) throw new Error(`there is no unit ${unit}; use one of ${UNITS.join(', ')}`);
     const source = sourceOf(samples, name),
       sprague = interpolation === 'sprague';
     const reading = {
@@ -123,7 +126,7 @@ export class Light extends Instrument {
     return { ...reading, ...extra, curve: this.curve.slice() };
   }
 
-  /** Chromaticity, dominant wavelength and display color from `out`. */
+  /** Takes XYZ and chromaticities from `out`, and adds the dominant wavelength. */
   color(reading, { eye, missing }, white) {
     const out = this.out.slice(0, 26);
     reading.XYZ = Array.from(out.slice(0, 3), (x) => single(x) ?? NaN);
@@ -198,7 +201,7 @@ export class Light extends Instrument {
     return { tm30: typeof tm30 === 'string' ? null : tm30, scale };
   }
 
-  /** TM-30 of `curve`, or why there is none. */
+  /** Computes TM-30 of `curve`, or returns the reason why there is none. */
   fidelity() {
     const no = this.wasm.fidelity();
     if (no) return NO_RENDERING[no];
@@ -257,28 +260,29 @@ export class Light extends Instrument {
   }
 
   /**
-   * A black body of 500 to 1000000 K as samples, 1 at 560 nm.
+   * Returns the spectrum of a black body of 500 to 1000000 K as samples, scaled to 1 at 560 nm.
    * @param {number} kelvin
    */
   blackBody(kelvin) {
     if (!(kelvin >= 500 && kelvin <= 1e6))
-      throw new Error(`${plain(kelvin)} K does not shine for eyes; give 500 to 1000000 K`);
+      throw new Error(`${plain(kelvin)} K is out of range; give 500 to 1000000 K`);
     this.wasm.black_body(kelvin);
     return Array.from(this.curve, (value, k) => [FIRST + k, value]);
   }
 
-  /** L*, a*, b* of X, Y, Z relative to a white; null if that is none. @param {number[]} xyz @param {number[]} white */
+  /** Returns L*, a*, b* relative to a white, or null if that is not a white. @param {number[]} xyz @param {number[]} white */
   lab(xyz, white) {
     return labOf(this, xyz, white);
   }
 
   /**
-   * Room in the module's memory for many lights at every nanometer of 360..830: write to `lights`, call `measure`, read
-   * `results`, without copies. Of each light X, Y, Z, Ra, the distance to its reference and R1..R15.
+   * Returns the module's memory for many lights at every nanometer of 360..830: write to `lights`, call `measure` and
+   * read `results`. Both are views, so nothing is copied. The results of each light are X, Y, Z, Ra, the distance to its
+   * reference and R1..R15.
    * @param {number} count at most 512
    */
   batch(count) {
-    if (!(Number.isInteger(count) && count >= 0 && count <= 512)) throw new Error(`a batch of ${count}; 512 have room`);
+    if (!(Number.isInteger(count) && count >= 0 && count <= 512)) throw new Error(`a batch cannot have ${count} lights; give a whole number up to 512`);
     const { wasm } = this;
     return {
       lights: new Float32Array(wasm.memory.buffer, wasm.batch_lights(), NODES * count),

@@ -1,16 +1,16 @@
 import type { Observer } from './lists.d.ts';
 
-/** A column of a file, as `parse` of nanospectra/csv gives it. */
+/** One spectrum of a file, as `parse` of nanospectra/csv returns it. */
 export interface Source {
   file: string;
   name: string;
-  /** The line of each sample, counted from 1. */
+  /** The line of the file on which each sample stands, counted from 1. */
   lines: number[];
-  /** Wavelength in nm and value: finite, increasing, at least two. */
+  /** At least two pairs of a wavelength in nm and a value; all are finite, and the wavelengths increase. */
   samples: [number, number][];
 }
 
-/** Wavelengths in nm, increasing, at any spacing, and values; 2 to 4096 samples. */
+/** A spectrum of 2 to 4096 samples: values at increasing wavelengths in nm, at any spacing. */
 export type Samples =
   Source | Iterable<readonly [number, number]> | { nm: ArrayLike<number>; values: ArrayLike<number> };
 
@@ -18,41 +18,44 @@ export type Triple = [number, number, number];
 export type Pair = [number, number];
 
 export interface SpectrumOptions {
-  /** What messages call it. */
+  /** The name that messages use for the spectrum; 'samples' by default. */
   name?: string;
-  /** The samples are reflectances (0..1) of a surface, not a light. */
+  /** Says that the samples are reflectances (0..1) of a surface instead of the power of a light. */
   reflectance?: boolean;
-  /** What lights the surface: a CIE illuminant's name or a spectrum; D65. */
+  /** The light on the surface, as the name of a CIE illuminant or as a spectrum; D65 by default. */
   light?: string | Samples;
   observer?: Observer;
   interpolation?: 'linear' | 'sprague';
-  /** `absolute` is W/m2/nm, and brings lux and PPFD. */
+  /** The unit of the samples; `absolute` means W/m2/nm, and only then are `lux` and `ppfd` computed. */
   unit?: 'relative' | 'absolute';
 }
 
 export interface HueBin {
-  /** Local fidelity, 0..100. */
+  /** The fidelity of the samples in this bin, 0..100. */
   rf: number;
-  /** Fractions of the reference's chroma. */
+  /** The shift of chroma, as a fraction of the chroma under the reference; `hue_shift` likewise. */
   chroma_shift: number;
   hue_shift: number;
-  /** How many of the 99 samples. */
+  /** How many of the 99 samples fall into this bin. */
   count: number;
 }
 
 export interface Fidelity {
   rf: number;
   rg: number;
-  /** Counterclockwise from a' > 0; null for one that holds no sample. */
+  /** The 16 hue bins, counterclockwise from a' > 0; a bin that holds no sample is null. */
   bins: (HueBin | null)[];
   rf_ces: number[];
 }
 
-/** Every number about a spectrum, as `nanospectra measure --json` has them; null where one is not defined, and a note says why. */
+/**
+ * Every number about a spectrum, with the keys of `nanospectra measure --json`. A number that is not defined is null,
+ * and one of the notes says why.
+ */
 export interface Reading {
   name: string;
   file: string;
-  /** Y = 100 for a relative light and for white under a light, lx for an absolute light. */
+  /** Y is 100 for a relative light and for white under a light; for an absolute light Y is in lx. */
   XYZ: Triple;
   xy: Pair | null;
   uv1960: Pair | null;
@@ -62,10 +65,10 @@ export interface Reading {
   lux: number | null;
   ler_lm_per_w: number | null;
   lab: Triple | null;
-  /** Encoded, clipped to 0..1. */
+  /** The encoded sRGB components, clipped to 0..1. */
   srgb: Triple | null;
   hex: string | null;
-  /** Negative for a complementary wavelength. */
+  /** The dominant wavelength; a complementary wavelength is negative. */
   dominant_wavelength_nm: number | null;
   purity: number | null;
   cri_ra: number | null;
@@ -81,17 +84,20 @@ export interface Reading {
   unit: string;
   light?: string;
   tm30?: Fidelity | null;
-  /** The samples are the curve times this (lights). */
+  /** For a light, the number by which `curve` is multiplied to get the samples. */
   scale?: number;
-  /** At 360, 361 .. 830 nm. */
+  /** The spectrum at 360, 361 .. 830 nm. */
   curve: Float32Array;
 }
 
 export interface UpsampleOptions {
   method?: 'sigmoid' | 'basis' | 'smits';
-  /** What to do with a color that no smooth spectrum has. */
+  /** What to do with a color that no smooth spectrum has: find the nearest, or desaturate it until one has it. */
   beyond?: 'nearest' | 'desaturate';
-  /** Names of CIE illuminants or spectra to look under; D65 is always the first, so the module needs its lamps. */
+  /**
+   * The lights to show the color under, as names of CIE illuminants or as spectra. D65 is always the first, so call
+   * `loadLamps` before.
+   */
   lights?: (string | Samples)[];
 }
 
@@ -104,12 +110,12 @@ export interface Upsampled {
   spectrum: number[];
   roundtrip_rgb: Triple;
   delta_e2000: number;
-  /** Of the way from gray to a color that was desaturated. */
+  /** For a desaturated color, the share that is kept of the way from gray to the wanted color. */
   kept: number | null;
   lights: { name: string; XYZ: Triple; lab: Triple; hex: string }[];
 }
 
-/** A transmittance or a reflectance, by one of the first three. */
+/** A transmittance or a reflectance; give one of `flat`, `points` and `absorbance_per_cm` (with `path_cm`). */
 export interface Factors {
   flat?: number;
   points?: Pair[];
@@ -117,7 +123,7 @@ export interface Factors {
   path_cm?: number;
 }
 
-/** One of the kinds. */
+/** A part that light meets; give exactly one of the kinds, and a name if you like. */
 export interface PartRecipe {
   name?: string;
   filter?: Factors;
@@ -138,10 +144,10 @@ export interface PartRecipe {
 
 export interface SceneRecipe {
   title?: string;
-  /** One of the first three, and how much of it. */
+  /** The lamp, as one of `cie`, `blackbody_k` and `points`, and the illuminance that it gives. */
   lamp: { cie?: string; blackbody_k?: number; points?: Pair[]; illuminance_lx?: number };
   eye?: 'CIE 1931' | 'CIE 1964';
-  /** In the order in which light meets them; 1 to 16. */
+  /** The 1 to 16 parts, in the order in which light meets them. */
   part: PartRecipe[];
 }
 
@@ -181,7 +187,7 @@ export interface SceneAnswer {
   }[];
   walked: { multiply_adds: number; bytes: number };
   folded: { multiply_adds: number; bytes: number };
-  /** Of the parts that are on, against the whole scene. */
+  /** The difference to the whole scene that switching parts off makes, and the price of the parts that are on. */
   shown: { off: number[]; delta_e2000: number | null; multiply_adds: number };
   budget: null | {
     delta_e2000: number;
@@ -194,74 +200,90 @@ export interface SceneAnswer {
 
 export interface Scene {
   parts: { name: string; kind: string; effect: string; matt: boolean }[];
-  /** `off` numbers parts, from 0, without their effects; within `budget`, a CIEDE2000, effects are left out. */
+  /**
+   * Computes the color, the spectra and the price of each part. `off` lists the numbers (from 0) of parts whose effect
+   * is switched off. With a `budget`, effects are left out as long as the color changes by no more than that CIEDE2000.
+   */
   answer(options?: { off?: number[]; budget?: number | null }): SceneAnswer;
 }
 
 export interface Batch {
-  /** 471 numbers a light, 360..830 nm, in the module's memory: every batch of a module is the same memory. */
+  /** The 471 numbers of each light, for 360..830 nm. All batches of a module share the same memory. */
   lights: Float32Array;
-  /** 20 numbers a light: X, Y, Z (sums over 1 nm, not scaled to Y = 100), Ra, distance to the reference in u, v, R1..R15; NaN where there is no rendering. */
+  /**
+   * The 20 results of each light: X, Y, Z (sums over 1 nm that are not scaled to Y = 100), Ra, the distance to the
+   * reference in u, v, and R1..R15. Ra and what follows are NaN for a light that has no color rendering index.
+   */
   results: Float32Array;
+  /** Computes `results` from `lights`. */
   measure(): void;
 }
 
-/** What every module that measures spectra at 360..830 nm has. Whatever is wrong with what is given is thrown as an Error. */
+/** What all modules have that measure spectra at 360..830 nm. Invalid input is thrown as an Error. */
 export interface Instrument {
+  /** Whether this is the build that uses the vector instructions of WebAssembly. */
   readonly simd: boolean;
+  /** The illuminants by name, once they are loaded. A second module can be given those of the first. */
   lamps: Map<string, Source> | null;
-  /** Brings the CIE's lamps: names in options and scenes need them. Another module may be given the same. */
+  /** Fetches the illuminants of the CIE, which names in options and scenes refer to. */
   loadLamps(base?: string | URL): Promise<Map<string, Source>>;
 }
 
-/** Every number about a light or a surface. */
+/** The module that computes every number about a light or a surface. */
 export interface Light extends Instrument {
-  /** x, y, z of CIE 1931 at 360..830 nm and the 99 samples of CIE 224 at 380..780 nm, row after row; test colors. */
+  /**
+   * The CIE's tables that it measures with: `eye` has the rows x, y, z of CIE 1931 at 360..830 nm, `samples` the 99 rows
+   * of CIE 224 at 380..780 nm, and `testColors` the 15 test colors of CRI and a white at each step of 5 nm from 350 nm.
+   */
   readonly published: { eye: Float32Array; testColors: Float32Array; samples: Float32Array };
+  /** Computes every number about a light, or about a surface if `reflectance` is set. */
   spectrum(samples: Samples, options?: SpectrumOptions): Reading;
-  /** A black body of 500 to 1000000 K, 1 at 560 nm. */
+  /** Returns the spectrum of a black body of 500 to 1000000 K, scaled to 1 at 560 nm. */
   blackBody(kelvin: number): [number, number][];
-  /** L*, a*, b* relative to a white; null if that is none. */
+  /** Returns L*, a*, b* relative to a white, or null if that is not a white. */
   lab(xyz: Triple, white: Triple): Triple | null;
-  /** Room for up to 512 lights. */
+  /** Returns the memory for up to 512 lights that are measured together. */
   batch(count: number): Batch;
 }
 
-/** RGB colors to spectra. D65, under which they are the colors that they are, is one of the lamps. */
+/** The module that finds spectra for RGB colors. It needs lamps, since the colors are defined under D65. */
 export interface Paint extends Instrument {
+  /** Finds a reflectance that has this encoded sRGB color (0..1), and its color under other lights. */
   upsample(rgb: Triple, options?: UpsampleOptions): Upsampled;
 }
 
-/** Light through what it meets. */
+/** The module that follows light through the parts of a scene. */
 export interface Scenes extends Instrument {
-  /** One scene at a time is in the module's memory; another one is brought back when it is asked. */
+  /** Makes a scene. The module's memory holds one scene at a time, and an older one is built again when it is used. */
   scene(recipe: SceneRecipe): Scene;
 }
 
-/** The small module. */
+/** The smallest module for single spectra. */
 export interface Core extends Instrument {
-  /** A light. */
+  /** Computes XYZ, chromaticities, CCT, Duv and the display color of a light. */
   spectrum(
     samples: Samples,
     options?: { name?: string },
   ): Pick<Reading, 'XYZ' | 'xy' | 'uv1960' | 'uv1976' | 'cct_k' | 'duv' | 'hex'>;
-  /** L*, a*, b* relative to a white; null if that is none. */
+  /** Returns L*, a*, b* relative to a white, or null if that is not a white. */
   lab(xyz: Triple, white: Triple): Triple | null;
-  /** The reflectance of an encoded sRGB color (0..1); null if no smooth one has it. */
+  /** Returns a reflectance that has this encoded sRGB color (0..1), or null if no smooth one has it. */
   upsample(rgb: Triple): { first_nm: number; step_nm: number; values: number[] } | null;
 }
 
-/** Many spectra of a 5 nm instrument. */
+/** The module that turns many spectra of a 5 nm instrument into X, Y, Z at once. */
 export interface Bands {
+  /** Whether this is the build that uses the vector instructions of WebAssembly. */
   readonly simd: boolean;
-  /** 81 numbers a spectrum, 380..780 nm, in the module's memory; 1024 have room. */
+  /** Up to 1024 spectra of 81 numbers each, at 380, 385 .. 780 nm, in the module's memory. */
   spectra: Float32Array;
-  /** X, Y, Z of each: sums with the CIE 1931 functions folded to the bands. */
+  /** X, Y, Z of each spectrum, as sums with the CIE 1931 functions prepared for these bands. */
   xyz: Float32Array;
+  /** Computes `xyz` of the first `count` spectra. */
   measure(count: number): void;
 }
 
-/** Modules by name; each is a WebAssembly file of its own, and what is not loaded is not fetched. */
+/** The modules by name. Each is a WebAssembly file of its own, which is fetched when it is loaded. */
 export interface Modules {
   light: Light;
   paint: Paint;
@@ -270,7 +292,10 @@ export interface Modules {
   bands: Bands;
 }
 
-/** `base` is where the package's files are, an absolute URL that ends with a slash; `simd` whether to take the build for vectors; by default what runs here. */
+/**
+ * Loads a module, `light` by default. `base` says where the package's files are, as an absolute URL that ends with a
+ * slash. `simd` chooses the build that uses vector instructions; by default it is taken wherever it can run.
+ */
 export function load<M extends keyof Modules = 'light'>(options?: {
   module?: M;
   base?: string | URL;

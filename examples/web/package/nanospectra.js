@@ -1,9 +1,9 @@
-// nanospectra in JavaScript: a typed wrapper around a WebAssembly module of a few KB. No dependencies, no network but for
-// the module's own files; the plain or the simd128 build is chosen here.
+// nanospectra in JavaScript, a typed wrapper around WebAssembly modules. It has no dependencies and fetches nothing but
+// the package's own files. Here the plain build or the one for vectors (simd128) is chosen.
 import { read } from './read.js';
 import { unpack } from './tables.js';
 
-/** What each module does, and the tables that it needs: the eye of 1931, or all that measuring takes. */
+/** The class and the tables of each module; some only need the CIE 1931 functions, and `light` needs every table. */
 const MODULES = {
   light: { of: async () => (await import('./light.js')).Light, tables: 'light.tables' },
   paint: { of: async () => (await import('./paint.js')).Paint, tables: 'cie1931.tables' },
@@ -12,12 +12,12 @@ const MODULES = {
   bands: { of: async () => (await import('./bands.js')).Bands },
 };
 
-/** An empty module with one v128.const in it. */
+/** A tiny module with one v128.const in it, to find out whether vectors are supported. */
 const SIMD = Uint8Array.from('0061736d010000000105016000017b030201000a0a0108004100fd0ffd620b'.match(/../g), (byte) => parseInt(byte, 16));
 
 /**
- * A module's exports, its measured tables in place: they come packed, and go where the module has room for them before
- * anything runs.
+ * Returns the exports of a module whose measured tables are in place. The tables come packed, and are written into the
+ * memory that the module leaves free for them before anything runs.
  * @param {URL} wasm @param {URL} [tables]
  * @returns {Promise<{exports: Record<string, any>, tables: Float32Array[]}>}
  */
@@ -36,14 +36,15 @@ async function instantiate(wasm, tables) {
 }
 
 /**
- * Loads a module: `light` (every number about a spectrum), `paint` (RGB to spectra), `scene` (light through what it
- * meets), `core` (a small one: spectrum to XYZ, CCT, Lab, sRGB; RGB to spectrum) or `bands` (many spectra of an instrument
- * to XYZ). Each is one WebAssembly module; what is not loaded is not fetched.
+ * Loads a module: `light` (every number about a spectrum), `paint` (spectra for RGB colors), `scene` (light through
+ * filters, surfaces and other parts), `core` (the smallest: a spectrum to XYZ, CCT, Lab and sRGB, and a spectrum for an
+ * RGB color) or `bands` (many spectra of one instrument to XYZ). Each is a WebAssembly module of its own, which is
+ * fetched when it is loaded.
  * @param {{module?: 'light' | 'paint' | 'scene' | 'core' | 'bands', base?: string | URL, simd?: boolean}} [options]
  */
 export async function load({ module = 'light', base = import.meta.url, simd = WebAssembly.validate(SIMD) } = {}) {
   const chosen = Object.hasOwn(MODULES, module) && MODULES[module];
-  if (!chosen) throw new Error(`no module ${module}; use ${Object.keys(MODULES).join(', ')}`);
+  if (!chosen) throw new Error(`there is no module ${module}; use one of ${Object.keys(MODULES).join(', ')}`);
   const [Module, { exports, tables }] = await Promise.all([
     chosen.of(),
     instantiate(

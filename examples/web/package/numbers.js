@@ -1,6 +1,6 @@
-// Numbers as the crate's examples print them.
+// Numbers in the form in which the program `nanospectra` prints them.
 
-/** An f32 with the fewest digits that bring it back: 0.3127 rather than 0.3127000033855438; null for NaN. @param {number} x */
+/** Returns an f32 with the fewest digits that identify it, as 0.3127 for 0.3127000033855438; null for NaN. @param {number} x */
 export function single(x) {
   if (!Number.isFinite(x)) return null;
   for (let digits = 1; digits < 10; digits++) {
@@ -10,26 +10,26 @@ export function single(x) {
   return x;
 }
 
-/** @param {ArrayLike<number>} values */
+/** Returns each f32 with the fewest digits. @param {ArrayLike<number>} values */
 export const singles = (values) => Array.from(values, single);
 
-/** Several numbers, or null if they have no value. @param {ArrayLike<number>} values */
+/** Returns several numbers with the fewest digits, or null if they are not defined. @param {ArrayLike<number>} values */
 export const all = (values) => (Number.isNaN(values[0]) ? null : singles(values));
 
-/** The same for an f32 that went through f64; all digits for an f64 that is none. @param {number} x */
+/** Returns a number with the fewest digits if it is an f32, and with all its digits otherwise. @param {number} x */
 export const double = (x) => (Math.fround(x) === x ? single(x) : x);
 
-/** Three numbers, no fewer and no more. @param {Iterable<number>} given @param {string} what */
+/** Returns exactly three numbers, or throws. @param {Iterable<number>} given @param {string} what */
 export function three(given, what) {
   const numbers = Array.from(given ?? []);
-  if (numbers.length !== 3) throw new Error(`${what}: ${numbers.length} numbers; give 3`);
+  if (numbers.length !== 3) throw new Error(`${what} has ${numbers.length} numbers; give 3`);
   return numbers;
 }
 
-/** `#rrggbb` @param {ArrayLike<number>} codes */
+/** Returns a color as `#rrggbb`. @param {ArrayLike<number>} codes */
 export const hex = (codes) => `#${Array.from(codes, (c) => c.toString(16).padStart(2, '0')).join('')}`;
 
-/** A number with all its digits and no exponent, as Rust prints it. @param {number} x */
+/** Returns a number with all its digits and no exponent, as Rust prints it. @param {number} x */
 export function plain(x) {
   const text = String(x);
   const [mantissa, exponent] = text.split('e');
@@ -41,8 +41,8 @@ export function plain(x) {
   return `${sign}0.${'0'.repeat(-shift - 1)}${whole}${part}`;
 }
 
-/** sRGB's curve, 0..1. @param {number} x linear */
+/** Encodes a linear number of 0..1 by the curve of sRGB. @param {number} x linear */
 export const encoded = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
-/** And back; odd about 0. @param {number} x encoded */
+/** Decodes an encoded number; negative numbers mirror positive ones. @param {number} x encoded */
 export const decoded = (x) =>
   Math.abs(x) <= 0.04045 ? x / 12.92 : Math.sign(x) * ((Math.abs(x) + 0.055) / 1.055) ** 2.4;

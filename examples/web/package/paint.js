@@ -1,4 +1,4 @@
-// An RGB color to the spectrum of a surface, and what that looks like under lamps.
+// The module `paint`: the spectrum of a surface for an RGB color, and its color under lamps.
 import { Instrument } from './instrument.js';
 import { all, hex, single, three } from './numbers.js';
 import { wrong } from './samples.js';
@@ -6,18 +6,18 @@ import { wrong } from './samples.js';
 const METHODS = ['sigmoid', 'basis', 'smits'];
 const BEYOND = ['nearest', 'desaturate'];
 
-/** What the module `paint` does. */
+/** The functions of the module `paint`. */
 export class Paint extends Instrument {
   /**
-   * The reflectance of an encoded sRGB color at 380, 385 .. 780 nm, and what it looks like under lights.
+   * Finds a reflectance at 380, 385 .. 780 nm that has this encoded sRGB color, and its color under other lights.
    * @param {[number, number, number]} rgb 0..1
    * @param {import('./nanospectra.d.ts').UpsampleOptions} [options]
    */
   upsample(rgb, { method = 'sigmoid', beyond = 'nearest', lights = [] } = {}) {
     const number = METHODS.indexOf(method);
-    if (number < 0) throw new Error(`no method ${method}; use ${METHODS.join(', ')}`);
-    if (!BEYOND.includes(beyond)) throw new Error(`beyond = ${beyond}; use ${BEYOND.join(', ')}`);
-    if (!Array.isArray(lights)) throw new Error('lights is no list; give [] or names and spectra');
+    if (number < 0) throw new Error(`there is no method ${method}; use one of ${METHODS.join(', ')}`);
+    if (!BEYOND.includes(beyond)) throw new Error(`beyond is ${beyond}; use one of ${BEYOND.join(', ')}`);
+    if (!Array.isArray(lights)) throw new Error('lights is not a list; give an array of names and spectra');
     rgb = three(rgb, 'rgb');
     const state = this.wasm.upsample(...rgb, number, +(beyond === 'desaturate'));
     const out = this.out.slice(0, 86);

@@ -1,5 +1,5 @@
-// One measured spectrum: what is wrong with it, what is worth a word about it, and how f64 reads between its samples.
-// After examples/cli/src/measure: `source.rs` and `exact.rs`.
+// Checks one measured spectrum, notes how it was used, and interpolates it in f64. The same code in Rust is in `source.rs`
+// and `exact.rs` of examples/cli/src/measure.
 import { plain } from './numbers.js';
 import { BEYOND, quintic } from './sprague.js';
 
@@ -9,11 +9,11 @@ const f = Math.fround;
 
 /** @typedef {import('./csv.js').Source} Source */
 
-/** A failure of the spectrum as a whole, at its first row. @param {Source} source @param {string} what */
+/** Makes an error about the spectrum as a whole, which names its first row. @param {Source} source @param {string} what */
 export const wrong = (source, what) => new Error(`${source.file}:${source.lines[0]}: '${source.name}': ${what}`);
 
 /**
- * Samples in any shape to a source; the words for what is wrong are the crate's.
+ * Turns samples of any accepted shape into a source. Messages have the words of the crate.
  * @param {Source | Iterable<[number, number]> | {nm: ArrayLike<number>, values: ArrayLike<number>}} samples
  * @param {string} name @returns {Source}
  */
@@ -35,7 +35,7 @@ export function sourceOf(samples, name) {
   return { file: name, name, lines: pairs.map((_, k) => k + 1), samples: pairs };
 }
 
-/** Data that lies beside the visible range, often because it is in another unit. @param {Source} source */
+/** Refuses data outside the visible range, which is often in another unit. @param {Source} source */
 export function checkReach(source) {
   const first = source.samples[0][0],
     last = source.samples.at(-1)[0];
@@ -54,7 +54,7 @@ export function checkReach(source) {
   );
 }
 
-/** What a reader should know about how the samples were used. @param {Source} source */
+/** Returns the notes about how the samples were used. @param {Source} source */
 export function remarks(source, sprague, hold) {
   const { samples } = source,
     first = samples[0][0],
@@ -88,10 +88,10 @@ export function remarks(source, sprague, hold) {
   return said;
 }
 
-/** Does f32 round one of the wavelengths? @param {[number, number][]} samples */
+/** Returns whether f32 rounds one of the wavelengths. @param {[number, number][]} samples */
 export const needsExact = (samples) => samples.some(([nm]) => f(nm) !== nm);
 
-/** The value at `nm` in f64; undefined outside the samples. @param {[number, number][]} samples */
+/** Returns the value at `nm` in f64, or undefined outside the samples. @param {[number, number][]} samples */
 export function exactly(samples, nm, sprague) {
   const n = samples.length,
     first = samples[0],

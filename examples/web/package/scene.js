@@ -1,5 +1,5 @@
-// Follows light through a scene. What a scene may contain, and the messages for what it may not, are those of
-// examples/cli/src/scene.
+// The module `scene`, which follows light through filters, surfaces and other parts. The recipes and the messages are
+// those of examples/cli/src/scene.
 import { Instrument } from './instrument.js';
 import { hex, plain, single, singles } from './numbers.js';
 
@@ -7,7 +7,7 @@ const f = Math.fround;
 const RADIANS = f(f(Math.PI) / 180);
 const EYES = ['CIE 1931', 'CIE 1964'];
 const FACTORS = { must: [], may: ['flat', 'points', 'absorbance_per_cm', 'path_cm'] };
-/** The fields of each kind of part. */
+/** The fields that describe each kind of part. */
 const FIELDS = {
   filter: FACTORS,
   surface: FACTORS,
@@ -30,7 +30,7 @@ const DYES = [
 
 const within = (x, low, high) => x >= low && x <= high;
 
-/** Refuses a recipe that lacks a field, or has one that does not belong there and may be a typing error. */
+/** Refuses a recipe that lacks a field, or that has an unknown one, which is probably misspelled. */
 function checkFields(written, { must, may }) {
   const lacking = must.find((field) => written?.[field] === undefined);
   if (lacking) throw new Error(`missing field \`${lacking}\``);
@@ -39,15 +39,15 @@ function checkFields(written, { must, may }) {
   if (unknown) throw new Error(`unknown field \`${unknown}\`, expected one of ${fields.join(', ')}`);
 }
 
-/** What the module `scene` does. */
+/** The functions of the module `scene`. */
 export class Scenes extends Instrument {
-  /** A scene of a lamp and the parts that its light meets. @param {import('./nanospectra.d.ts').SceneRecipe} recipe */
+  /** Makes a scene of a lamp and the parts that its light meets. @param {import('./nanospectra.d.ts').SceneRecipe} recipe */
   scene(recipe) {
     return new Scene(this, recipe);
   }
 }
 
-/** A scene in the module's memory until another one is made. */
+/** A scene, which is in the module's memory until another one is built there. */
 export class Scene {
   /** @param {Scenes} spectra @param {import('./nanospectra.d.ts').SceneRecipe} recipe */
   constructor(spectra, recipe) {
@@ -62,7 +62,7 @@ export class Scene {
 
   build() {
     const { spectra, recipe } = this;
-    // A part may be refused, so until all are accepted there is no scene in memory.
+    // If a part is refused, the memory holds no complete scene.
     spectra.currentScene = null;
     spectra.wasm.clear();
     this.parts = recipe.part.map((part) => {
@@ -85,7 +85,7 @@ export class Scene {
     spectra.currentScene = this;
   }
 
-  /** Refuses a film that light meets at an angle next to something that depends on polarization. */
+  /** Refuses a film at an angle beside a part that depends on the direction of polarization. */
   checkFilms() {
     let films = 0,
       directed = 0;
@@ -106,7 +106,7 @@ export class Scene {
     }
   }
 
-  /** @param {number} status of an export that adds a part */
+  /** Throws if an export that adds a part has failed. @param {number} status its result */
   check(status, advice = '; give [[nm, value], ..] with increasing wavelengths') {
     if (status === 0) return;
     if (status >= 65536) {
@@ -231,7 +231,7 @@ export class Scene {
     return 'polarization';
   }
 
-  /** Puts the lamp into `curve`. @returns {string} its name */
+  /** Reads the lamp into `curve`. @returns {string} its name */
   lamp() {
     const { spectra } = this,
       { cie, blackbody_k: kelvin, points } = this.recipe.lamp ?? {};
@@ -253,8 +253,8 @@ export class Scene {
   }
 
   /**
-   * The color, the spectra and the bill. `off` has the numbers (from 0) of parts whose effects are switched off;
-   * effects are left out as long as the color changes by no more than `budget` (CIEDE2000).
+   * Computes the color, the spectra and the price of each part. `off` lists the numbers (from 0) of parts whose effects
+   * are switched off. With a `budget`, effects are left out as long as the color changes by no more than that CIEDE2000.
    * @param {{off?: number[], budget?: number | null}} [options]
    */
   answer({ off = [], budget = null } = {}) {

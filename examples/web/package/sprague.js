@@ -1,12 +1,15 @@
-// Sprague's quintic between equally spaced values, in f64.
+// Sprague's quintic interpolation between equally spaced values, in f64.
 
-/** A value one step beyond an end and two, from the six inside, nearest first; over 209. */
+/**
+ * The weights, over 209, by which the last six values, nearest first, give a value one step beyond the end, and two
+ * steps beyond it.
+ */
 export const BEYOND = [
   [508, -540, 488, -367, 144, -24],
   [884, -1960, 3033, -2648, 1080, -180],
 ];
 
-/** Between the third and the fourth of six values, at 0..1. @param {number[]} p @param {number} t */
+/** Interpolates between the third and the fourth of six values, at 0..1. @param {number[]} p @param {number} t */
 export function quintic(p, t) {
   const a1 = (2 * p[0] - 16 * p[1] + 16 * p[3] - 2 * p[4]) / 24;
   const a2 = (-p[0] + 16 * p[1] - 30 * p[2] + 16 * p[3] - p[4]) / 24;

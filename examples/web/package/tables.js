@@ -1,18 +1,19 @@
-// Measured tables travel as decimal integers, predicted from those before and Rice coded: a tenth of their size as f32,
-// and the same bits when they arrive. tools/pack.mjs packs them.
+// Unpacks the measured tables. They are packed by tools/pack.mjs as decimal integers, each of which is predicted from
+// those before it, and the differences are Rice coded. That takes a tenth of the size of f32 and gives the same bits.
 //
-// A table is 6 bytes (rule, columns, rows in two, zeros in front and behind), the order of the prediction and its
-// columns as one stream of bits. 16 numbers share a count of decimals and a parameter of the code.
+// A table begins with 6 bytes: the rule with the order of the prediction, the number of columns, the number of rows in
+// two bytes, and the zeros in front of and behind each column. Its columns follow as one stream of bits, in which 16
+// numbers share a number of decimals and a parameter of the code.
 
 import { BEYOND, quintic } from './sprague.js';
 
-/** How a column becomes numbers. */
+/** The rules by which columns become numbers. */
 export const RULES = { plain: 0, sample: 1, test: 2, copy: 3, lights: 4, daylight: 5 };
 
 export const BLOCK = 16;
 export const POWERS = Array.from({ length: 16 }, (_, k) => 10 ** k);
 
-/** What a number should be, from those before it: a polynomial through `order` of them, in units of 1 / scale. */
+/** Predicts a number by a polynomial through the `order` numbers before it, in units of 1 / scale. */
 export function predicted(values, at, order, scale) {
   const before = (j) => (at >= j ? Math.round(values[at - j] * scale) : 0);
   if (order === 0) return 0;
@@ -72,7 +73,7 @@ export function unpack(bytes) {
   return tables;
 }
 
-/** From published digits to the f32 that the crate's build script makes of them. */
+/** Turns published digits into the f32 that the crate's build script makes of them. */
 function numbers(rule, columns, before, behind, tables, published) {
   if (rule === RULES.copy) {
     const [[table, column, length]] = columns;
@@ -97,7 +98,7 @@ function numbers(rule, columns, before, behind, tables, published) {
   return Float32Array.from(whole.flat());
 }
 
-/** 5 nm to 1 nm as CIE 224 did it: Sprague's quintic, the ends held. */
+/** Interpolates from 5 nm to 1 nm as CIE 224 did, by Sprague's quintic with the end values held. */
 function everyNanometer(v) {
   const at = (i) => v[Math.min(Math.max(i, 0), v.length - 1)];
   const out = [];
@@ -105,7 +106,7 @@ function everyNanometer(v) {
     const cell = Math.min(Math.floor(i / 5), v.length - 2),
       t = (i - 5 * cell) / 5;
     const p = [-2, -1, 0, 1, 2, 3].map((j) => at(cell + j));
-    // Nine decimals are published; beyond them is only the rounding of these sums.
+    // Nine decimals are published, and further ones are only rounding errors of these sums.
     out.push(Math.round(quintic(p, t) * 1e9) / 1e9);
   }
   return out;
@@ -114,7 +115,7 @@ function everyNanometer(v) {
 /** Sprague's weights beyond the ends, in f32. */
 const OUTER = BEYOND.map((weights) => weights.map((x) => Math.fround(x / 209)));
 
-/** The 15 test colors and a white, node after node, two nodes beyond each end: as the crate sums them. */
+/** Arranges the 15 test colors and a white node after node, with two nodes beyond each end, as the crate sums them. */
 function nodes(columns) {
   const inside = columns.map((values) => values.map(Math.fround));
   const beyond = (at) => OUTER.map((weights) => weights.reduce((sum, x, i) => sum + x * at(i), 0));
@@ -122,7 +123,7 @@ function nodes(columns) {
   return whole[0].flatMap((_, node) => [...whole.map((column) => column[node]), 1]);
 }
 
-/** What an eye sees of samples, and of a white as the last, under each of the lights; the sums of f64. */
+/** Returns X, Y, Z of the samples and of a white under each of the lights, as sums in f64. */
 function colors(lights, eye, samples) {
   const whole = [...samples, new Float32Array(471).fill(1)];
   return Float32Array.from(
@@ -137,7 +138,7 @@ function colors(lights, eye, samples) {
 
 const counted = (n, what) => Array.from({ length: n }, (_, k) => what(k));
 
-/** The terms of a Chebyshev series for black bodies with Y = 100, as tables/reference.rs makes them of the four operations. */
+/** Returns the terms of a Chebyshev series for black bodies with Y = 100, by the same operations as tables/reference.rs. */
 function blackBodies(middle, half, ybar) {
   const exp = (x) => {
     let sum = 1;
@@ -171,20 +172,20 @@ function blackBodies(middle, half, ybar) {
 
 const f = Math.fround;
 
-/** 5 nm from 300 nm on by straight lines to 360..830 nm, in f32. */
+/** Interpolates values at every 5 nm from 300 nm linearly to 360..830 nm, in f32. */
 const linear = (v) =>
   counted(471, (k) => {
     const cell = Math.min(Math.floor((60 + k) / 5), v.length - 2);
     return f(v[cell] + f(f((60 + k - 5 * cell) / 5) * f(v[cell + 1] - v[cell])));
   });
 
-/** The test colors every nanometer; the last, tabulated over 380..780 nm, held beyond. */
+/** Returns the test colors at every nanometer; the last is tabulated at 380..780 nm and held beyond. */
 const testColors = (columns) =>
   columns.map((values, k) => (k < 14 ? sprague(values.map(f), 0) : sprague(values.slice(4, 85).map(f), 4)));
 
 /**
- * 5 nm to the nodes 360..830 nm as the crate does it, in f32 operation by operation; end values held.
- * @param {number[]} v values @param {number} first where they begin, in steps of 5 nm above 360 nm
+ * Interpolates from 5 nm to the nodes 360..830 nm by the same operations in f32 as the crate, with the end values held.
+ * @param {number[]} v values @param {number} first the place of the first value, in steps of 5 nm above 360 nm
  */
 function sprague(v, first) {
   const n = v.length;
@@ -201,7 +202,7 @@ function sprague(v, first) {
     }
     const cell = Math.min(Math.floor(distance / 5), n - 2);
     const t = f((distance - cell * 5) / 5);
-    // Horner's scheme, each step rounded; `c` from the innermost outwards.
+    // Horner's scheme with each step rounded; `c` goes from the innermost coefficient outwards.
     const horner = (c) => c.reduce((sum, x) => f(x + f(t * sum)));
     const q = [
       f(f(t * horner([f(13 - f(5 * t)), -9, -1, 2])) / 24),

@@ -1,9 +1,9 @@
-// The page: tabs, theme, the link that carries the state, and the four instruments.
+// The frame of the page: the tabs, the theme, the link that carries the state, and the start of the four instruments.
 import { setEye } from './color.js';
 import { copy, h, say } from './dom.js';
 import { begin, remember, spectra, state } from './session.js';
 
-/** Each is fetched when its tab is opened. */
+/** The instruments by the names of their tabs; each is fetched when its tab is opened. */
 const instruments = {
   light: () => import('./light.js'),
   paint: () => import('./paint.js'),
@@ -32,16 +32,16 @@ async function show(chosen, focus = false) {
     section.replaceChildren();
     await build(section);
   } catch (error) {
-    // It may be there the next time.
+    // The files may be available when the tab is opened again.
     built.delete(chosen);
     failed(section, error);
   }
 }
 
-/** Says why a part of the page is not there. @param {HTMLElement} where */
+/** Says on the page why an instrument is missing. @param {HTMLElement} where */
 function failed(where, error) {
-  where.prepend(h('p', { class: 'failure', role: 'alert' }, `The instrument did not start: ${error.message}`));
-  say('The instrument did not start');
+  where.prepend(h('p', { class: 'failure', role: 'alert' }, `The instrument could not be started: ${error.message}`));
+  say('The instrument could not be started.');
   throw error;
 }
 
@@ -70,13 +70,13 @@ theme.addEventListener('click', () => {
 });
 dark.addEventListener('change', applyTheme);
 applyTheme();
-// A link that is pasted into this page is another state of everything.
+// A link that is pasted into the address bar can change the state of every tab, so the page starts again.
 addEventListener('hashchange', () => location.reload());
 document.querySelector('.skip').addEventListener('click', (event) => {
   event.preventDefault();
   document.getElementById('main').focus();
 });
-// A file beside the colorimeter is not one to leave the page for.
+// Without this, the browser would leave the page and open a file that is dropped beside the colorimeter.
 for (const name of ['dragover', 'drop']) addEventListener(name, (event) => event.preventDefault());
 document.getElementById('link').addEventListener('click', () => {
   const whole = state.lamp || state.data || state.drawn;
@@ -87,12 +87,12 @@ try {
   await begin();
   setEye(spectra.published.eye);
   document.getElementById('build').textContent = spectra.simd
-    ? 'Running with simd128.'
-    : 'Running without simd128.';
+    ? 'Vector instructions (simd128) are in use.'
+    : 'Vector instructions (simd128) are not available.';
 } catch (error) {
   failed(document.getElementById('main'), error);
 }
 await show(state.tab);
 document.documentElement.dataset.ready = 'yes';
-// Then the rest, for when there is no network.
+// The worker fetches what is left, so that the page works without a network.
 navigator.serviceWorker?.register(`worker.js?${spectra?.simd ? 'simd' : ''}`).catch(() => {});

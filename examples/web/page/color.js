@@ -1,4 +1,5 @@
-// What wavelengths and chromaticities look like, for plots; as examples/cli/src/output/tint.rs.
+// The display colors of wavelengths and chromaticities, for plots. The same code in Rust is in
+// examples/cli/src/output/tint.rs.
 
 /** @type {Float32Array} x, y, z of CIE 1931 at 360..830 nm, one row after the other */
 let eye = new Float32Array(3 * 471);
@@ -22,7 +23,7 @@ export function xyOf(nm) {
 const encode = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
 const code = (c) => Math.round(255 * Math.min(Math.max(c, 0), 1));
 
-/** The brightest color of a chromaticity that a display can show, or nearly; 0..255. */
+/** Returns about the brightest color of a chromaticity that a display can show, as codes of 0..255. */
 export function rgbOf(x, y, dim = 1) {
   const [X, Y, Z] = [x / y, 1, (1 - x - y) / y];
   const linear = [
@@ -34,14 +35,14 @@ export function rgbOf(x, y, dim = 1) {
   return linear.map((c) => code(encode((Math.max(c, 0) / top) * dim)));
 }
 
-/** `rgb()` of light of one wavelength, darker towards both ends. */
+/** Returns the CSS color of light of one wavelength, which gets darker towards both ends of the spectrum. */
 export function tint(nm) {
   const [x, y, z] = xyzOf(nm),
     sum = x + y + z;
   return `rgb(${rgbOf(x / sum, y / sum, Math.min(2 * sum, 1) ** 0.35)})`;
 }
 
-/** Black or white, whichever can be read on a color: they meet where its luminance is 0.18. @param {string} hex */
+/** Returns black or white, whichever can be read on a color; they change at a luminance of 0.18. @param {string} hex */
 export function ink(hex) {
   const [r, g, b] = [1, 3, 5].map((at) => (parseInt(hex.slice(at, at + 2), 16) / 255) ** 2.2);
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18 ? '#000' : '#fff';

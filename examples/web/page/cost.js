@@ -1,10 +1,10 @@
-// Cost: how few bands will do, for which lamps, by which fold; the errors computed here, the instructions as recorded.
+// The tab Cost: the color error of a number of bands under chosen lamps, computed here, beside recorded instructions.
 import { closely } from './fold.js';
 import { figure, h, onWidth, saving, select } from './dom.js';
 import { cost as plot } from './plots.js';
 import { lampNames, remember, spectra, state } from './session.js';
 
-/** What tests/devices.sh counts the instructions of. */
+/** The numbers of bands whose instructions tests/devices.sh counts. */
 const BANDS = [8, 12, 16, 20, 24, 31, 36, 40, 60, 81];
 const SCHEMES = ['step', 'parabola', 'spline', 'not folded'];
 const RANGES = [
@@ -18,7 +18,7 @@ const TARGETS = {
   'thumbv6m-none-eabi': 'Cortex-M0',
   'riscv32imac-unknown-none-elf': 'RV32IMAC',
 };
-/** Lamps by the kind of their spectra: what one kind forgives, another does not. */
+/** Lamps by the kind of their spectra, since smooth spectra need fewer bands than spectra with lines. */
 const KINDS = {
   all: ['all lamps', () => true],
   smooth: ['daylight and filaments', (name) => /^(E|A|C|D\d|ID)/.test(name)],
@@ -29,7 +29,7 @@ const KINDS = {
 };
 let under, lamps, view, counts, results;
 
-/** Over every lamp and sample. */
+/** Returns the mean, the 95th percentile and the largest error over all chosen lamps and all samples. */
 function errors(bands, scheme) {
   const all = lamps.flatMap((coarsely) => coarsely(bands, RANGES[state.range], scheme)).sort((a, b) => a - b);
   return {
@@ -39,7 +39,7 @@ function errors(bands, scheme) {
   };
 }
 
-/** The lamps that are chosen, and every point of the plot under them. */
+/** Prepares the chosen lamps and computes every point of the plot for them. */
 function look() {
   const [, belongs] = KINDS[state.costlamp] ?? [null, (name) => name === state.costlamp];
   lamps = lampNames()
@@ -52,7 +52,7 @@ function look() {
 }
 
 let turn = 0;
-/** The scheme that is chosen at once; the others point by point, so that the page stays awake. */
+/** Computes the chosen scheme at once and the others point by point, so that the page stays responsive. */
 function sweep() {
   const mine = ++turn,
     first = Number(state.scheme);
@@ -93,7 +93,7 @@ function work() {
       size[0] < 500 ? BANDS.filter((_, k) => k % 2 === 0) : BANDS,
       size[0],
     ),
-    `mean error of four schemes against the number of bands; ${SCHEMES[scheme]} with ${bands} bands is ${here.mean.toPrecision(2)} off`,
+    `mean error of four methods against the number of bands; ${SCHEMES[scheme]} with ${bands} bands has an error of ${here.mean.toPrecision(2)}`,
     size,
   );
   const bytes = 12 * bands + (scheme === 3 ? 4 * bands : 0);
@@ -107,7 +107,7 @@ function work() {
     h('div', {}, h('dt', {}, 'table, bytes'), h('dd', {}, String(bytes))),
   );
   const kind = scheme === 3 ? 'walked' : 'folded';
-  view.counted.textContent = `${bands} bands to X, Y, Z; exact, as tests/devices.sh records them`;
+  view.counted.textContent = `From ${bands} bands to X, Y, Z, counted exactly by an emulator`;
   view.rows.replaceChildren(
     ...Object.entries(TARGETS)
       .filter(([target]) => counts[target])
@@ -143,7 +143,7 @@ export async function build(section) {
       },
     }),
     bandsSaid: h('output', { for: 'bands' }),
-    plot: figure('What few bands cost', 'cost', [640, 300]),
+    plot: figure('Color error by number of bands', 'cost', [640, 300]),
     big: h('dl', { 'aria-live': 'polite' }),
     counted: h('caption'),
     rows: h('tbody'),
@@ -168,7 +168,7 @@ export async function build(section) {
         h(
           'div',
           { class: 'card first' },
-          h('h2', {}, 'How many bands will do?'),
+          h('h2', {}, 'How many bands are enough?'),
           h('label', { for: 'bands' }, 'Number of bands: ', view.bandsSaid),
           view.slider,
           h(
@@ -198,7 +198,7 @@ export async function build(section) {
           h(
             'fieldset',
             { style: 'margin-top:.75rem' },
-            h('legend', {}, 'Fold'),
+            h('legend', {}, 'How lamp and observer become weights'),
             ...SCHEMES.map((name, k) =>
               h(
                 'label',
@@ -225,12 +225,12 @@ export async function build(section) {
         h(
           'div',
           { class: 'card second' },
-          h('h2', {}, 'What that costs'),
+          h('h2', {}, 'Error and cost'),
           h('div', { class: 'answer' }, view.big),
           h(
             'p',
             { class: 'hint' },
-            'Against the sum at 1 nm, over the 99 color evaluation samples of CIE 224 under each lamp; computed here as the crate folds.',
+            'The error is the difference to the sum at 1 nm, over the 99 color evaluation samples of CIE 224 under each lamp. The methods step, parabola and spline turn lamp and observer into one weight per band ahead of time. The method not folded multiplies the averages of both in each band.',
           ),
         ),
         h(

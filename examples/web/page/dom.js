@@ -1,6 +1,6 @@
-// Small helpers: elements, messages, downloads, figures that can be saved.
+// Small helpers of all tabs: elements, messages, downloads, and figures that can be saved.
 
-/** An element. @param {string} tag @param {Record<string, any>} [props] @param {...(Node | string | null | undefined)} children */
+/** Makes an element. @param {string} tag @param {Record<string, any>} [props] @param {...(Node | string | null | undefined)} children */
 export function h(tag, props = {}, ...children) {
   const element = document.createElement(tag);
   for (const [key, value] of Object.entries(props)) {
@@ -15,7 +15,7 @@ export function h(tag, props = {}, ...children) {
 }
 
 let timer = 0;
-/** Says a word, also to a screen reader. @param {string} text */
+/** Shows a message for five seconds, and tells it to screen readers. @param {string} text */
 export function say(text) {
   const status = document.getElementById('status');
   status.textContent = text;
@@ -42,7 +42,7 @@ export function download(name, content, type = 'text/plain') {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** What a plot looks like without the page: its classes with the colors of the theme written in. */
+/** Returns a plot as a file of its own: the colors that its classes have in the theme are written into it. */
 function standalone(svg) {
   const copy = svg.cloneNode(true),
     probe = h('i');
@@ -62,7 +62,7 @@ function standalone(svg) {
   copy.setAttribute('width', width);
   copy.setAttribute('height', height);
   copy.insertAdjacentHTML('afterbegin', `<style>${rules}</style><rect width="100%" height="100%" fill="${back}"/>`);
-  // A spectrum's name may hold what XML may not.
+  // The name of a spectrum may have characters that XML forbids.
   return new XMLSerializer().serializeToString(copy).replace(/[^\t\n\r -\uFFFD]/g, '');
 }
 
@@ -77,7 +77,7 @@ async function png(svg, name) {
 }
 
 /**
- * A plot with its heading and buttons to save it; `draw` gives the inside of the SVG and a text for who cannot see it.
+ * Makes a plot with its heading and buttons to save it. `draw` sets the inside of the SVG and a text that describes it.
  * @param {string} title @param {string} name of the file @param {[number, number]} size
  */
 export function figure(title, name, [width, height]) {
@@ -103,7 +103,7 @@ export function figure(title, name, [width, height]) {
   return {
     element,
     svg,
-    /** How wide to draw, so that letters stay readable: the plot's own width on a narrow screen. */
+    /** Returns the width to draw at; on a narrow screen it is the plot's own width, so that letters stay readable. */
     width: () => Math.round(Math.min(Math.max(svg.clientWidth || width, 320), width)),
     /** @param {string} inside @param {string} text */
     draw(inside, text, size = [width, height]) {
@@ -115,7 +115,7 @@ export function figure(title, name, [width, height]) {
   };
 }
 
-/** Draws again when an element has another width, as when its tab is opened. @param {HTMLElement} element */
+/** Draws again when the width of an element changes, also when its tab is opened. @param {HTMLElement} element */
 export function onWidth(element, draw) {
   let width = 0;
   new ResizeObserver(() => {
@@ -125,14 +125,14 @@ export function onWidth(element, draw) {
   }).observe(element);
 }
 
-/** Options of a select. @param {Iterable<string | [string, string]>} list @param {string} chosen */
+/** Makes the options of a select. @param {Iterable<string | [string, string]>} list @param {string} chosen */
 export const options = (list, chosen) =>
   Array.from(list, (item) => {
     const [value, text] = Array.isArray(item) ? item : [item, item];
     return h('option', { value, selected: value === chosen }, text);
   });
 
-/** A labeled select. */
+/** Makes a select with a label. */
 export const select = (label, list, chosen, onchange, id) =>
   h(
     'label',
@@ -141,14 +141,14 @@ export const select = (label, list, chosen, onchange, id) =>
     h('select', { id, onchange: (event) => onchange(event.target.value) }, ...options(list, chosen)),
   );
 
-/** The crate's words, where they speak of options of the command line, in those of the page. @param {string} text */
+/** Replaces the words of a message that name options of the command line by those of the page. @param {string} text */
 export const inPage = (text) =>
   text
     .replace('give W/m2/nm and --unit absolute', 'for W/m²/nm choose that unit')
     .replace('use --interpolation linear', 'choose linear between samples')
     .replace('--light: ', '');
 
-/** Buttons that save what is shown, as `name`.csv and `name`.json. @param {string} name @param {() => string} csv @param {() => string} json */
+/** Makes buttons that save the results as `name`.csv and `name`.json. @param {string} name @param {() => string} csv @param {() => string} json */
 export const saving = (name, csv, json) =>
   h(
     'div',

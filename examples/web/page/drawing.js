@@ -1,13 +1,13 @@
-// A spectrum by hand.
+// A spectrum that the reader draws by pointer or keyboard.
 
-/** Wavelengths of a drawn spectrum: every 10 nm. */
+/** The wavelengths of a drawn spectrum, every 10 nm. */
 export const DRAWN = Array.from({ length: 41 }, (_, k) => 380 + 10 * k);
 const START = DRAWN.map((nm) => Math.round(100 * (0.35 + 0.6 * Math.exp(-(((nm - 560) / 70) ** 2)))) / 100);
 
-/** What is drawn: values 0..1, and where the cursor stands. */
+/** The drawn values, which are 0..1, and the index at which the cursor stands. */
 export const hand = { values: START.slice(), cursor: 18 };
 
-/** As a spectrum. */
+/** Returns the drawing as a spectrum. */
 export const drawnSource = () => ({
   file: 'drawn',
   name: 'drawn',
@@ -15,7 +15,7 @@ export const drawnSource = () => ({
   samples: DRAWN.map((nm, k) => [nm, hand.values[k]]),
 });
 
-/** A plot that can be drawn on is a slider to a screen reader. @param {SVGElement} svg @param {boolean} live */
+/** Presents a plot to screen readers as a slider while one can draw on it. @param {SVGElement} svg @param {boolean} live */
 export function asSlider(svg, live) {
   const { values, cursor } = hand;
   const attributes = {
@@ -34,7 +34,7 @@ export function asSlider(svg, live) {
 }
 
 /**
- * Draws by pointer, from its last place to this one, and by keyboard.
+ * Lets the reader draw by keyboard and by pointer, from the pointer's last place to its present one.
  * @param {SVGElement & {scale: {x: Function, y: Function}}} svg @param {() => boolean} isOn @param {() => void} redraw
  */
 export function drawing(svg, isOn, redraw) {

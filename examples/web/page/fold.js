@@ -1,11 +1,12 @@
-// The folds of the crate (src/observer/fold.rs) for any number of bands, and what they lose over the 99 color
-// evaluation samples. A module has its number of bands in its types; the test compares these with the crate's.
+// How the crate reduces an observer to few weights (src/observer/fold.rs), for any number of bands, and the errors of
+// that over the 99 color evaluation samples. A WebAssembly module has its number of bands in its types, so this is
+// written again in JavaScript; a test compares the results with those of the crate.
 
 const FIRST = 360;
-/** Fine weights are at the whole nanometers FIRST..830, and their cells reach half a nanometer to each side. */
+/** The weights of 1 nm are at the whole nanometers FIRST..830, and their cells reach half a nanometer to each side. */
 const START = FIRST - 0.5;
 
-/** What of a row of fine weights falls into each bin: how much, and its moments about the bin's center. */
+/** Returns the sum of the 1 nm weights that fall into each bin, and their moments about the bin's center. */
 function moments(row, from, width, bands, points) {
   const [mass, first, second] = [0, 1, 2].map(() => new Float64Array(bands));
   const add = (weight, at, half) => {
@@ -29,7 +30,7 @@ function moments(row, from, width, bands, points) {
   return { mass, first, second };
 }
 
-/** Each bin a parabola with the averages of the bin and its neighbors; an end bin continues its neighbor's. */
+/** Takes a spectrum as parabolas with the averages of a bin and its neighbors; an end bin continues its neighbor's. */
 function parabola({ mass, first, second }) {
   const weights = mass.slice(),
     last = mass.length - 1;
@@ -46,7 +47,7 @@ function parabola({ mass, first, second }) {
   return weights;
 }
 
-/** The histospline: the smoothest curve with the averages. */
+/** Takes a spectrum as the histospline, the smoothest curve with the averages of all bins. */
 function spline({ mass, first, second }) {
   const bands = mass.length,
     g = new Float64Array(bands + 1),
@@ -66,7 +67,7 @@ function spline({ mass, first, second }) {
   return weights;
 }
 
-/** The averages of 1 nm cells that begin at `start` over each bin; beyond the ends `beyond(end value)`. */
+/** Returns the averages over each bin of 1 nm cells that begin at `start`; beyond the ends they are `beyond(end value)`. */
 function averages(values, start, from, width, bands, beyond) {
   const end = values.length - 1;
   return Array.from({ length: bands }, (_, k) => {
@@ -87,11 +88,11 @@ const sum = (row, values) => row.reduce((sum, weight, k) => sum + weight * value
 const hold = (end) => end;
 
 /**
- * The 99 samples, and the eye that looks at them.
- * @param {import('./nanospectra/nanospectra.js').Light} spectra for Lab and CIEDE2000, and the tables
- * @returns {(light: ArrayLike<number>) => (bands: number, range: [number, number], scheme: number) => number[]} under a
- * light at 360..830 nm CIEDE2000 of each sample, with that many bands folded by step (0), parabola (1) or spline (2), or
- * not folded (3)
+ * Prepares the 99 samples and the observer.
+ * @param {import('./nanospectra/nanospectra.js').Light} spectra the module for Lab, CIEDE2000 and the tables
+ * @returns {(light: ArrayLike<number>) => (bands: number, range: [number, number], scheme: number) => number[]} a
+ * function of a light at 360..830 nm, which returns a function that computes CIEDE2000 of each sample for a number of
+ * bands, folded by step (0), parabola (1) or spline (2), or not folded (3)
  */
 export function closely(spectra) {
   const { wasm, out, published } = spectra;
@@ -104,7 +105,7 @@ export function closely(spectra) {
       return out.slice(0, 3);
     });
   };
-  // The same for every light.
+  // These are the same for every light.
   const known = new Map();
   const once = (key, make) => {
     if (!known.has(key)) known.set(key, make());

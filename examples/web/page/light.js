@@ -1,4 +1,4 @@
-// The colorimeter: a spectrum from a file, a lamp or a hand, and every number about it.
+// The tab Colorimeter: a spectrum from a file, of a lamp or drawn by hand, and every number about it.
 import { parse } from './nanospectra/csv.js';
 import { OBSERVERS } from './nanospectra/lists.js';
 import { figure, h, inPage, onWidth, options, saving, say, select } from './dom.js';
@@ -10,12 +10,12 @@ import { lampNames, remember, spectra, state } from './session.js';
 let sources = [];
 let chosen = 0;
 let reading, view;
-/** What the link says of the spectrum. */
+/** The keys of the link that describe the spectrum. */
 const OF_THE_SPECTRUM = ['lamp', 'drawn', 'data', 'file', 'column'];
-/** What was measured last, to which all returns if the next cannot be. */
+/** The spectrum that was measured last, to which the page returns if the next one cannot be measured. */
 let good = null;
 
-/** What the state asks for, as spectra. */
+/** Brings the spectra that the state names. */
 function restore() {
   if (state.drawn) {
     hand.values = state.drawn.split(',').map((code) => Number(code) / 100);
@@ -26,7 +26,7 @@ function restore() {
   chosen = Math.min(Number(state.column ?? 0), sources.length - 1);
 }
 
-/** A text with spectra: kept in the link if it is short enough for one. */
+/** Takes a text with spectra, and keeps it in the link if it is short enough. */
 function take(text, file) {
   const found = parse(text, file);
   sources = found;
@@ -42,10 +42,10 @@ function take(text, file) {
     lamp: undefined,
   });
   const what = found.length === 1 ? 'spectrum' : 'spectra';
-  say(`${file}: ${found.length} ${what}${packed.length < 6000 ? '' : '; too long for a link'}`);
+  say(`${file}: ${found.length} ${what}${packed.length < 6000 ? '' : ', too long for a link'}`);
 }
 
-/** Does what may fail, and shows what was wrong. */
+/** Does work that may fail, and shows the message if it does. */
 async function attempt(work) {
   try {
     await work();
@@ -61,7 +61,7 @@ async function attempt(work) {
   choices();
 }
 
-/** What can be chosen, and what is. */
+/** Updates the controls: their options and the chosen ones. */
 function choices() {
   if (view.among !== sources) {
     view.among = sources;
@@ -119,7 +119,7 @@ function redraw() {
 
 const change = (key) => (value) => attempt(() => remember({ [key]: value }));
 
-/** The data as two columns, and all numbers. */
+/** The exports: the data as two columns, and all results. */
 const csv = () => [`nm,"${sources[chosen].name.replaceAll('"', '""')}"`, ...sources[chosen].samples.map((sample) => sample.join(','))].join('\n') + '\n';
 const json = () => {
   const { curve, tm30, scale, ...report } = reading;
@@ -191,13 +191,13 @@ export async function build(section) {
           say('Draw with the pointer or the arrow keys');
         },
       },
-      'Draw one',
+      'Draw a spectrum',
     ),
     spd: figure('Spectrum', 'spectrum', [640, 300]),
     hint: h(
       'p',
       { class: 'hint', hidden: true },
-      'Drag across the plot. By keyboard: left and right choose a wavelength, up and down its power, Shift for larger steps.',
+      'Drag across the plot. With the keyboard, the left and right arrows choose a wavelength, up and down change its power, and Shift makes larger steps.',
     ),
     diagrams: {
       1931: figure('Chromaticity, CIE 1931', 'chromaticity-1931', [420, 460]),
@@ -209,7 +209,7 @@ export async function build(section) {
     cri: figure('Color rendering index', 'cri', [640, 228]),
     tm30: figure('TM-30 color vectors', 'tm30', [420, 420]),
     notes: h('ul', { class: 'notes' }),
-    under: select('Under', lampNames(), state.under, change('under'), 'under'),
+    under: select('Under the lamp', lampNames(), state.under, change('under'), 'under'),
   };
   view.column = view.columns.querySelector('select');
   view.spd.element.append(view.hint);
@@ -337,11 +337,11 @@ export async function build(section) {
           h(
             'div',
             { class: 'wide' },
-            h('table', { id: 'numbers' }, h('caption', {}, 'All digits; press a number to copy it'), view.rows),
+            h('table', { id: 'numbers' }, h('caption', {}, 'Press a number to copy it with all its digits'), view.rows),
           ),
           h('h3', {}, 'Notes'),
           view.notes,
-          h('h3', {}, 'Take it with you'),
+          h('h3', {}, 'Save'),
           saving('spectrum', csv, json),
         ),
         view.tm30.element,

@@ -1,4 +1,4 @@
-// The tab of paint: an RGB color, spectra that have this color, and how they look under other lamps.
+// The tab Paint: an RGB color, the spectra that have it, and their colors under other lamps.
 import { ink } from './color.js';
 import { copy, figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
@@ -103,12 +103,12 @@ function work() {
     ),
   );
   const status = {
-    exact: 'has exactly this color',
-    unreachable: 'no smooth reflectance has this color; this is the nearest found',
-    unphysical: 'has this color but is no reflectance, since it leaves 0..1',
-    approximate: 'comes near this color',
+    exact: 'the spectrum has exactly this color',
+    unreachable: 'no smooth reflectance has this color, and this is the nearest found',
+    unphysical: 'the spectrum has this color but leaves 0..1, so it is no reflectance',
+    approximate: 'the spectrum comes near this color',
   };
-  view.status.textContent = `${chosen.method}: ${status[chosen.status]}, round trip ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;
+  view.status.textContent = `${chosen.method}: ${status[chosen.status]}. The round trip is off by ${chosen.delta_e2000.toPrecision(2)} CIEDE2000.`;
 }
 
 /** @param {HTMLElement} section */
@@ -221,7 +221,7 @@ export async function build(section) {
         h(
           'div',
           { class: 'card' },
-          h('h2', {}, 'There and back'),
+          h('h2', {}, 'Round trip'),
           h(
             'div',
             { class: 'wide' },
@@ -248,14 +248,14 @@ export async function build(section) {
         h(
           'div',
           { class: 'card' },
-          h('h2', {}, 'The same paint under lamps'),
+          h('h2', {}, 'The same paint under several lamps'),
           h(
             'div',
             { class: 'wide' },
             h(
               'table',
               {},
-              h('caption', {}, 'Adapted to each lamp (CAT16); L*, a*, b* of the chosen method'),
+              h('caption', {}, 'The colors are adapted to each lamp (CAT16); L*, a*, b* are those of the chosen method'),
               h(
                 'thead',
                 {},

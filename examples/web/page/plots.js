@@ -1,4 +1,4 @@
-// The insides of the plots, as SVG text.
+// The contents of the plots, as SVG text.
 import { rgbOf, tint, uvOf, xyOf, xyOfUv } from './color.js';
 
 const n = (x) => Number(x.toFixed(2));
@@ -7,7 +7,7 @@ const path = (points, close = false) =>
 export const escape = (text) =>
   String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
-/** Axes on a rectangle: scales and their drawing. */
+/** Makes the axes of a plot: the scales from values to pixels, and their drawing. */
 export function frame(
   [left, top, right, bottom],
   [x0, x1, xStep],
@@ -37,7 +37,7 @@ export function frame(
   return { x, y, svg };
 }
 
-/** The gradient of the spectrum between two wavelengths. */
+/** Makes the color gradient of the spectrum between two wavelengths. */
 function rainbow(id, from, to) {
   const stops = [];
   for (let nm = from; nm <= to; nm += 5)
@@ -45,7 +45,7 @@ function rainbow(id, from, to) {
   return `<linearGradient id="${id}" x1="0" x2="1" y1="0" y2="0">${stops.join('')}</linearGradient>`;
 }
 
-/** A step for some four lines up to `top`. */
+/** Returns a round step that gives about four lines up to `top`. */
 function step(top) {
   const size = 10 ** Math.floor(Math.log10(top / 4)),
     part = top / 4 / size;
@@ -53,7 +53,7 @@ function step(top) {
 }
 
 /**
- * A spectrum, filled with its colors.
+ * Draws a spectrum, filled with the colors of its wavelengths.
  * @param {[number, number][]} samples @param {string} yName
  */
 export function spectrum(
@@ -78,7 +78,7 @@ export function spectrum(
   let drawn = `<defs>${rainbow(`${id}-colors`, from, to)}</defs>`;
   if (outline.length > 1) {
     const area = [[outline[0][0], y(0)], ...outline, [outline.at(-1)[0], y(0)]];
-    // The gradient has the width of its shape: give it the whole axis.
+    // A gradient spans its shape, so it fills a rectangle over the whole axis that is clipped to the area.
     drawn +=
       `<clipPath id="${id}-clip"><path d="${path(area, true)}"/></clipPath>` +
       `<rect x="${x(from)}" y="${y(peak * 1.06)}" width="${n(x(to) - x(from))}" height="${n(y(low) - y(peak * 1.06))}" ` +
@@ -88,7 +88,7 @@ export function spectrum(
   lines.forEach((line) => {
     drawn += `<path class="${line.plain ? 'thin' : 'ink'}${line.dashed ? ' dashed' : ''}" d="${path(line.samples.map(([nm, value]) => [x(nm), y(value)]))}"/>`;
     if (line.name) {
-      // Above the plot, from the right.
+      // The legend stands above the plot and grows from the right.
       drawn +=
         `<path class="${line.plain ? 'thin' : 'ink'}${line.dashed ? ' dashed' : ''}" d="M${legend - 20} 12H${legend}"/>` +
         `<text class="text" x="${legend - 25}" y="16" text-anchor="end">${escape(line.name)}</text>`;
@@ -123,7 +123,7 @@ const DIAGRAMS = {
 };
 const fills = new Map();
 
-/** The colors inside the locus, as an image made once. */
+/** Returns the colors inside the locus as an image, which is made once for each diagram. */
 function fill(diagram) {
   if (fills.has(diagram)) return fills.get(diagram);
   const {
@@ -148,7 +148,7 @@ function fill(diagram) {
 }
 
 /**
- * A chromaticity diagram with its locus, gamuts, black bodies and points.
+ * Draws a chromaticity diagram with its locus, gamuts, black bodies and points.
  * @param {'1931' | '1976'} diagram @param {[number, number][]} planck x, y @param {{xy: [number, number], name?: string}[]} points
  * @param {[number, number]} size
  */
@@ -172,13 +172,13 @@ export function chromaticity(diagram, planck, points, [width, height]) {
       [cx, cy] = at([1 / 3, 1 / 3]),
       d = Math.hypot(px - cx, py - cy);
     const [ux, uy] = [(px - cx) / d, (py - cy) / d];
-    // Beside the axis there is room inside only.
+    // Near the axis there is room for the number only inside the locus.
     const inside = px + 16 * ux < 60;
     drawn +=
       `<path class="ink" d="M${n(px)} ${n(py)}l${n(5 * ux)} ${n(5 * uy)}"/><text ${inside ? 'fill="#000"' : 'class="label"'} ` +
       `x="${n(px + (inside ? -14 : 16) * ux)}" y="${n(py + (inside ? -8 : 12) * uy + 4)}" text-anchor="middle" font-size="11">${nm}</text>`;
   }
-  // Where the locus is not.
+  // The legend stands where the locus does not reach.
   const legend = diagram === '1931' ? 48 : bottom - 72;
   let row = 0;
   for (const [name, primaries] of Object.entries(GAMUTS)) {
@@ -198,7 +198,7 @@ export function chromaticity(diagram, planck, points, [width, height]) {
   return svg + drawn;
 }
 
-/** R1..R15 as bars in the colors of the samples. @param {(number | null)[]} r @param {string[]} colors */
+/** Draws R1..R15 as bars in the colors of the samples. @param {(number | null)[]} r @param {string[]} colors */
 export function bars(r, colors, width) {
   const each = (width - 62) / 15,
     low = Math.min(0, Math.max(-100, Math.floor(Math.min(...r) / 25) * 25));
@@ -216,7 +216,7 @@ export function bars(r, colors, width) {
   return svg.replace(/<text class="label"[^>]*>0<\/text>(?=<path class="axis" d="M44)/, '') + drawn;
 }
 
-/** TM-30's hues. */
+/** The colors of the 16 hue bins of TM-30. */
 const HUES = [
   '#e62828',
   '#e74b4b',
@@ -236,7 +236,7 @@ const HUES = [
   '#a74f81',
 ];
 
-/** TM-30's vector graphic: the reference is the circle. @param {import('./nanospectra/nanospectra.d.ts').Fidelity} tm30 */
+/** Draws the color vector graphic of TM-30, in which the reference is the circle. @param {import('./nanospectra/nanospectra.d.ts').Fidelity} tm30 */
 export function vectors({ rf, rg, bins }) {
   const [cx, cy, r] = [210, 210, 140];
   let drawn = '';
@@ -268,7 +268,7 @@ export function vectors({ rf, rg, bins }) {
   return drawn + label(8, 18, 'Rf', rf, 'start') + label(412, 18, 'Rg', rg, 'end');
 }
 
-/** Errors against the number of bands, both logarithmic. @param {{name: string, points: [number, number][], chosen: boolean}[]} lines */
+/** Draws errors against the number of bands, both on logarithmic scales. @param {{name: string, points: [number, number][], chosen: boolean}[]} lines */
 export function cost(lines, [bands, value], counts, width) {
   const [left, top, right, bottom] = [52, 24, width - 12, 262],
     x = (N) => left + (Math.log(N / 8) / Math.log(81 / 8)) * (right - left);

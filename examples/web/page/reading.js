@@ -1,10 +1,10 @@
-// A reading of the colorimeter on the page: plots, numbers, notes.
+// Shows a reading of the colorimeter on the page: plots, numbers and notes.
 import { copy, h, inPage } from './dom.js';
 import { DRAWN, asSlider, hand } from './drawing.js';
 import { bars, chromaticity, spectrum as plot, vectors } from './plots.js';
 import { spectra, state } from './session.js';
 
-/** What the table says: key of the report, name, unit. */
+/** The rows of the table: key of the report, name and unit. */
 const ROWS = [
   ['XYZ', 'X, Y, Z'],
   ['xy', 'x, y'],
@@ -28,7 +28,7 @@ const ROWS = [
 
 let planck, tcs;
 
-/** Chromaticities of black bodies. */
+/** Returns the chromaticities of black bodies, for the diagrams. */
 function blackBodies() {
   return [1000, 1300, 1600, 2000, 2500, 3000, 3500, 4000, 5000, 6000, 7000, 8500, 10000, 15000, 25000, 100000].map(
     (kelvin) => {
@@ -39,9 +39,9 @@ function blackBodies() {
   );
 }
 
-/** The test color samples under D65. */
+/** Returns the display colors of the test color samples under D65, for the bars. */
 function sampleColors() {
-  // Every 5 nm 15 samples and a white, from two nodes in front of 360 nm on.
+  // The table has 15 samples and a white at each step of 5 nm, and begins two steps below 360 nm.
   const table = spectra.published.testColors;
   spectra.named('D65', '');
   spectra.light.set(spectra.curve);
@@ -53,7 +53,7 @@ function sampleColors() {
   });
 }
 
-/** What no reading changes. */
+/** Computes the parts of the plots that are the same for every reading. */
 export function prepare() {
   planck = blackBodies();
   tcs = sampleColors();
@@ -62,7 +62,7 @@ export function prepare() {
 const text = (value) => (value === null ? 'none' : Array.isArray(value) ? value.join(', ') : String(value));
 const rounded = (value, digits) => (value === null ? 'none' : value.toFixed(digits));
 
-/** Shows a reading in every place that has a part of it. */
+/** Shows a reading in the plots and the table. */
 export function show(view, source, reading) {
   const { curve, scale = 1 } = reading,
     live = Boolean(state.drawn);
@@ -107,14 +107,14 @@ export function show(view, source, reading) {
       vectors(reading.tm30),
       `Rf ${reading.tm30.rf.toFixed(1)}, Rg ${reading.tm30.rg.toFixed(1)}; shifts of 16 hues against the reference circle`,
     );
-  // Words are not said again because the window is another size.
+  // A screen reader must not hear the results again only because the window was resized.
   if (view.told !== reading) tell(view, reading);
   view.told = reading;
 }
 
-/** Its words and numbers. */
+/** Shows the numbers and the notes of a reading. */
 function tell(view, reading) {
-  // While a spectrum is drawn, the plot says where the pen is.
+  // While a spectrum is drawn, the plot tells screen readers where the pen is, and the results stay silent.
   view.big.parentElement.setAttribute('aria-live', state.drawn ? 'off' : 'polite');
   view.swatch.style.background = reading.hex ?? 'transparent';
   view.swatch.setAttribute('aria-label', `Color ${reading.hex ?? 'none'}`);

@@ -1,4 +1,4 @@
-// The tab of scenes: what light meets on its way, with a switch for each effect, the color, and what it costs.
+// The tab Scene: the parts that light meets, each with a switch, the color, and the price of each part.
 import { ink } from './color.js';
 import { figure, h, onWidth, saving, select } from './dom.js';
 import { spectrum as plot } from './plots.js';
@@ -6,7 +6,7 @@ import { fetched, lampNames, remember, state } from './session.js';
 
 let module, scenes, view, scene, answer;
 
-/** The parts that are switched off. (A link may name parts that this scene does not have.) */
+/** Returns the parts that are switched off; a link may name parts that this scene does not have. */
 const switchedOff = () => (state.off ? state.off.split(',').map(Number).filter((k) => k < scene.parts.length) : []);
 
 function open() {
@@ -68,13 +68,13 @@ function work() {
     h(
       'div',
       { style: `background:${answer.hex};color:${ink(answer.hex)}` },
-      'as switched',
+      'with the chosen effects',
       h('b', {}, answer.hex),
     ),
   );
   view.verdict.textContent =
     switchedOff().length === 0
-      ? `${whole.walked.multiply_adds} multiply-adds part by part, ${whole.folded.multiply_adds} as one matrix with the eye.`
+      ? `Following the light through all parts takes ${whole.walked.multiply_adds} multiply-adds; with all parts and the observer combined into one matrix it takes ${whole.folded.multiply_adds}.`
       : `Leaving this out costs ${shown.delta_e2000.toFixed(2)} CIEDE2000 and saves ${whole.walked.multiply_adds - shown.multiply_adds} of ${whole.walked.multiply_adds} multiply-adds.`;
   answer.bill.forEach((line, k) => {
     const cells = view.bill.rows[k].cells;
@@ -103,7 +103,7 @@ function work() {
           : []),
       ],
     }).inside,
-    `what reaches the eye, in front of the lamp ${answer.lamp} with its peak at ${380 + 5 * answer.lamp_spectrum.indexOf(peak)} nm`,
+    `the light that reaches the observer, and the lamp ${answer.lamp} with its peak at ${380 + 5 * answer.lamp_spectrum.indexOf(peak)} nm`,
     size,
   );
   const rows = [
@@ -136,7 +136,7 @@ function work() {
       ? 'Nothing is left out.'
       : answer.budget.left_out.length === 0
         ? `Within ${budget} CIEDE2000 nothing can be left out.`
-        : `Within ${budget} CIEDE2000: leave out ${answer.budget.left_out.map((k) => scene.parts[k].name).join(' and ')}; that costs ${answer.budget.cost_delta_e2000.toFixed(2)}, ${answer.budget.multiply_adds} multiply-adds remain.`;
+        : `Within ${budget} CIEDE2000 one can leave out ${answer.budget.left_out.map((k) => scene.parts[k].name).join(' and ')}. That costs ${answer.budget.cost_delta_e2000.toFixed(2)} CIEDE2000, and ${answer.budget.multiply_adds} multiply-adds remain.`;
 }
 
 /** @param {HTMLElement} section */
@@ -171,7 +171,7 @@ export async function build(section) {
     bill: h('tbody', { id: 'bill' }),
     pair: h('div', { class: 'pair' }),
     verdict: h('p', { class: 'hint', 'aria-live': 'polite', id: 'verdict' }),
-    plot: figure('Light on its way', 'scene', [640, 300]),
+    plot: figure('Light of the lamp and of the scene', 'scene', [640, 300]),
     numbers: h('tbody'),
     budgetSaid: h('p', { class: 'hint', 'aria-live': 'polite' }),
   };
@@ -214,14 +214,14 @@ export async function build(section) {
             h(
               'table',
               {},
-              h('caption', {}, 'In the order in which light meets them'),
+              h('caption', {}, 'The parts, in the order in which light meets them'),
               h(
                 'thead',
                 {},
                 h(
                   'tr',
                   {},
-                  ...['effect', 'without it, dE', 'color', 'multiply-adds', 'bytes'].map((name, k) =>
+                  ...['part and effect', 'without it, ΔE', 'color', 'multiply-adds', 'bytes'].map((name, k) =>
                     h('th', { scope: 'col', class: k % 2 || k > 3 ? 'n' : '' }, name),
                   ),
                 ),
@@ -239,11 +239,11 @@ export async function build(section) {
         h(
           'div',
           { class: 'card' },
-          h('h2', {}, 'A budget for color'),
+          h('h2', {}, 'Color budget'),
           h(
             'label',
             { for: 'budget' },
-            'Leave effects out as long as the color changes by no more than this, CIEDE2000',
+            'Leave effects out as long as the color changes by no more than this (CIEDE2000)',
           ),
           budget,
           view.budgetSaid,
@@ -252,7 +252,7 @@ export async function build(section) {
           'div',
           { class: 'card' },
           h('h2', {}, 'Numbers'),
-          h('div', { class: 'wide' }, h('table', {}, h('caption', {}, 'Of what reaches the eye, as switched'), view.numbers)),
+          h('div', { class: 'wide' }, h('table', {}, h('caption', {}, 'The light that reaches the observer, with the chosen effects'), view.numbers)),
           saving('scene', csv, json),
         ),
       ),

@@ -1,8 +1,8 @@
-// What all instruments share: the module that measures, and the state that the link carries.
+// What all tabs share: the module that measures, and the state that the link carries.
 import { OBSERVERS } from './nanospectra/lists.js';
 import { load } from './nanospectra/nanospectra.js';
 
-/** What a link may say; whatever else it says counts for nothing. */
+/** The keys of a link and the values that each may have; anything else in a link is ignored. */
 const POSSIBLE = {
   tab: /^(light|paint|scene|cost)$/,
   lamp: /./,
@@ -30,13 +30,13 @@ const POSSIBLE = {
 };
 
 const said = new URLSearchParams(location.hash.slice(1));
-/** What the link carries. @type {Record<string, string>} */
+/** The state that the link carries. @type {Record<string, string>} */
 export const state = Object.fromEntries(
   Object.keys(POSSIBLE)
     .filter((key) => POSSIBLE[key].test(said.get(key) ?? ''))
     .map((key) => [key, said.get(key)]),
 );
-/** What is left out of the link because it goes without saying. */
+/** The defaults, which the link leaves out. */
 const usual = {
   tab: 'light',
   lamp: 'LED-B3',
@@ -58,7 +58,7 @@ const usual = {
 };
 for (const [key, value] of Object.entries(usual)) state[key] ??= value;
 
-/** Remembers in the address, without a step in the history. @param {Record<string, string | undefined>} changes */
+/** Puts changes of the state into the address, without a new entry in the browser's history. @param {Record<string, string | undefined>} changes */
 export function remember(changes) {
   for (const [key, value] of Object.entries(changes))
     value === undefined ? delete state[key] : (state[key] = value);
@@ -69,7 +69,7 @@ export function remember(changes) {
 const base = new URL('nanospectra/', import.meta.url);
 let lamps;
 
-/** The module `name`, which knows the CIE's lamps. @param {'light' | 'paint' | 'scene'} module */
+/** Loads a module and gives it the CIE's lamps. @param {'light' | 'paint' | 'scene'} module */
 export async function fetched(module) {
   const instrument = await load({ module, base });
   lamps ??= await instrument.loadLamps(base);
@@ -79,10 +79,10 @@ export async function fetched(module) {
   return instrument;
 }
 
-/** The names of the CIE's lamps. */
+/** Returns the names of the CIE's lamps, with E first. */
 export const lampNames = () => ['E', ...[...lamps.keys()].filter((name) => name !== 'E')];
 
-/** What measures lights and surfaces; there before any tab is shown. @type {import('./nanospectra/nanospectra.js').Light} */
+/** The module that measures lights and surfaces, which is loaded before any tab is shown. @type {import('./nanospectra/nanospectra.js').Light} */
 export let spectra;
 export async function begin() {
   spectra = await fetched('light');

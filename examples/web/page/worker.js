@@ -1,5 +1,5 @@
-// Keeps the page for when there is no network: it asks the network first, and remembers what it was given.
-/* global FILES: what the page consists of, written in front of this by tools/build.mjs */
+// Lets the page work without a network: every request goes to the network first, and the answer is kept for later.
+/* global FILES: the files of the page, which tools/build.mjs writes in front of this script */
 const CACHE = 'nanospectra',
   other = new URL(location.href).search === '?simd' ? /[^d]\.wasm$/ : /\.simd\.wasm$/;
 

@@ -1,4 +1,4 @@
-//! Many spectra of a 5 nm instrument to X, Y, Z: a module that is built for speed.
+//! Turns many spectra of a 5 nm instrument into X, Y, Z, in a module that is built for speed.
 
 use crate::fixed::Fixed;
 use nanospectra::observer::CIE_1931;
@@ -10,7 +10,7 @@ const READINGS: usize = 1024;
 
 static EYE: Observer<3, 81, Power, Grid> = CIE_1931.fold(Curve::Spline);
 
-/// 81 bands a spectrum in, X, Y, Z out.
+/// The spectra of 81 bands that come in, and X, Y, Z of each that go out.
 struct Readings {
     spectra: [Light<81, Grid>; READINGS],
     xyz: [[f32; 3]; READINGS],
@@ -29,14 +29,14 @@ extern "C" fn xyz() -> *mut [f32; 3] {
     INSTRUMENT.get().xyz.as_mut_ptr()
 }
 
-/// X, Y, Z of the first `count` spectra, by the CIE 1931 functions folded to their bands.
+/// Computes X, Y, Z of the first `count` spectra, by the CIE 1931 functions folded to their bands.
 #[unsafe(no_mangle)]
 extern "C" fn measure(count: u32) {
     let Readings { spectra, xyz } = INSTRUMENT.get();
     EYE.sees_each(spectra.get(..count as usize).unwrap_or(spectra), xyz);
 }
 
-/// The same by one plain sum for each channel, to compare speeds with.
+/// Computes the same by one plain sum for each channel, to compare speeds.
 #[cfg(feature = "bench")]
 #[unsafe(no_mangle)]
 extern "C" fn measure_plainly(count: u32) {

@@ -1,28 +1,29 @@
-//! The memory that JavaScript and the module share: fixed buffers, whose addresses are asked for once.
+//! The memory that JavaScript and the module share. It has fixed buffers, whose addresses JavaScript asks for
+//! once.
 
 use crate::fixed::Fixed;
 use core::mem::offset_of;
 use nanospectra::{Fine, Interpolation, Outside, Power, SamplesError, Spectrum};
 
-/// The most samples of a spectrum; a spectrometer has 2048 or 3648 pixels.
+/// The most samples that a spectrum can have; spectrometers have 2048 or 3648 pixels.
 pub const CAPACITY: usize = 4096;
 
-/// Numbers for JavaScript.
+/// The results for JavaScript.
 pub type Out = [f32; 512];
 
-/// Everything that goes in and out.
+/// All inputs and results.
 pub struct Board {
-    /// Pairs of wavelength in nm and value, in.
+    /// The samples that JavaScript gives, as pairs of wavelength in nm and value.
     pub samples: [(f32, f32); CAPACITY],
-    /// What they are at every nanometer of 360..=830; JavaScript may also write to it.
+    /// The spectrum at every nanometer of 360..=830, to which JavaScript may also write.
     pub curve: Fine<Power>,
-    /// The light on surfaces, likewise.
+    /// The light on surfaces at every nanometer, to which JavaScript may also write.
     pub light: Fine<Power>,
-    /// Results; each function says what stands where.
+    /// The results, in places that each function documents.
     pub out: Out,
 }
 
-// JavaScript writes pairs one after the other.
+// JavaScript writes the two numbers of a pair one after the other.
 const _: () = assert!(offset_of!((f32, f32), 0) == 0 && offset_of!((f32, f32), 1) == 4);
 
 static BOARD: Fixed<Board> = Fixed::new(Board {
@@ -56,7 +57,8 @@ extern "C" fn out() -> *mut f32 {
     board().out.as_mut_ptr()
 }
 
-/// Writes numbers from place `at` on. (Of known size and inlined: then there is nothing to check.)
+/// Writes numbers from place `at` on. The number of values is known and the function is inlined, so that
+/// nothing has to be checked at run time.
 #[cfg(not(feature = "cost"))]
 #[inline(always)]
 pub fn put<const N: usize>(out: &mut Out, at: usize, values: [f32; N]) {
@@ -65,12 +67,12 @@ pub fn put<const N: usize>(out: &mut Out, at: usize, values: [f32; N]) {
     }
 }
 
-/// The first `count` samples.
+/// Returns the first `count` samples.
 pub fn given(samples: &[(f32, f32); CAPACITY], count: u32) -> &[(f32, f32)] {
     samples.get(..count as usize).unwrap_or(samples)
 }
 
-/// An error as a number: the kind, and 8 times the sample or the number that is needed.
+/// Returns an error as a number: its kind, plus 8 times the index of the sample or the number that is needed.
 pub fn code(error: SamplesError) -> u32 {
     match error {
         SamplesError::TooFew { needed } => 1 + 8 * needed as u32,
@@ -81,8 +83,9 @@ pub fn code(error: SamplesError) -> u32 {
     }
 }
 
-/// Reads the samples at every nanometer into `curve`: linearly or by Sprague's rule (1; not in the small
-/// module), zero outside or held (1). Gives 0 or the [`code`] of an error.
+/// Interpolates the samples at every nanometer into `curve`: linearly, or by Sprague's rule if `sprague` is 1
+/// (which only the module `light` can). Outside the samples the curve is zero, or holds the end values if
+/// `hold` is 1. Returns 0, or the [`code`] of an error.
 #[unsafe(no_mangle)]
 extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
     let board = board();
@@ -98,7 +101,7 @@ extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
     }
 }
 
-/// A black body of that temperature, 1 at 560 nm, into `curve`.
+/// Writes the spectrum of a black body, scaled to 1 at 560 nm, to `curve`.
 #[cfg(any(feature = "light", feature = "scene"))]
 #[unsafe(no_mangle)]
 extern "C" fn black_body(kelvin: f32) {

@@ -1,5 +1,5 @@
-//! How much color is lost with few bands: every fold against the sum at 1 nm, over the 99 color evaluation
-//! samples.
+//! Computes the color errors of few bands, by every curve of `fold`, against the sum at 1 nm over the 99
+//! color evaluation samples.
 
 use crate::board::board;
 use crate::fixed::Fixed;
@@ -11,14 +11,14 @@ use nanospectra::{Bins, Curve, Factor, Fine, Grid, Light, Observer, Power, Refle
 const SAMPLES: usize = 99;
 const NOWHERE: Lab = Lab { l: f32::NAN, a: f32::NAN, b: f32::NAN };
 
-/// The samples under the light, by the sum at 1 nm.
+/// The colors of the samples under the light, by the sum at 1 nm.
 static TRUTH: Fixed<[Lab; SAMPLES]> = Fixed::new([NOWHERE; SAMPLES]);
 
 fn lab([x, y, z]: [f32; 3], white: [f32; 3]) -> Lab {
     Xyz::new(x, y, z).lab(Xyz::from(white)).unwrap_or(NOWHERE)
 }
 
-/// Looks at the samples under the light in `curve`.
+/// Computes the colors of the samples under the light in `curve`, by the sum at 1 nm.
 #[unsafe(no_mangle)]
 extern "C" fn look_closely() {
     let eye = CIE_1931.under(&board().curve);
@@ -29,8 +29,8 @@ extern "C" fn look_closely() {
     }
 }
 
-/// CIEDE2000 of each sample on N bins, light and eye folded by `curve`, or (3) nothing folded: averages of
-/// both.
+/// Computes CIEDE2000 of each sample on N bins, with the light and the observer folded by `curve`, or for 3
+/// by the averages of both.
 #[inline(never)]
 fn errors<const N: usize, G: Grid>(light: &Fine<Power>, curve: u32, out: &mut [f32]) {
     let under = |curve| CIE_1931.under(light).fold(curve);
@@ -51,9 +51,9 @@ fn errors<const N: usize, G: Grid>(light: &Fine<Power>, curve: u32, out: &mut [f
     }
 }
 
-/// Into `out`: CIEDE2000 of the 99 samples on `bands` bands over range 0 (380..730 nm), 1 (400..700 nm) or 2
-/// (360..830 nm), under the light that [`look_closely`] saw, by scheme 0 (step), 1 (parabola), 2 (spline) or
-/// 3 (not folded). Gives 1 for what is not compiled in.
+/// Writes CIEDE2000 of the 99 samples to `out`, for `bands` bands over range 0 (380..730 nm), 1 (400..700 nm)
+/// or 2 (360..830 nm), under the light of the last [`look_closely`], by scheme 0 (step), 1 (parabola), 2
+/// (spline) or 3 (not folded). Returns 0, or 1 for a combination that is not compiled in.
 #[unsafe(no_mangle)]
 extern "C" fn look_coarsely(bands: u32, range: u32, scheme: u32) -> u32 {
     let board = board();

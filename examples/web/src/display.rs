@@ -1,8 +1,9 @@
-//! What a display shows.
+//! The colors that a display shows.
 
 use nanospectra::color::{Adaptation, Cat16, Rgb, RgbSpace, Srgb, Xyz};
 
-/// Seen under a white, X, Y, Z (Y = 100 for white) as linear sRGB adapted to D65, and as its 8-bit codes.
+/// Returns a color that is seen under a white, where Y = 100 for white, as linear sRGB adapted to D65 and as
+/// 8-bit codes.
 #[inline(never)]
 pub fn displayed(seen: Xyz, white: Xyz) -> (Rgb<Srgb>, [f32; 3]) {
     let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ);

@@ -1,8 +1,8 @@
-//! Memory at fixed addresses, which JavaScript reads and writes as well.
+//! Memory at fixed addresses, which JavaScript can also read and write.
 
 use core::cell::UnsafeCell;
 
-/// Memory for one module, which has one thread.
+/// The memory of one module, which has a single thread.
 pub struct Fixed<T>(UnsafeCell<T>);
 
 // SAFETY: there is no other thread to share it with.
@@ -13,10 +13,10 @@ impl<T> Fixed<T> {
         Fixed(UnsafeCell::new(value))
     }
 
-    /// All of it, for the one export that is running.
+    /// Returns all of it, for the one export that is running.
     #[expect(clippy::mut_from_ref, reason = "fixed memory that JavaScript writes to as well")]
     pub fn get(&self) -> &mut T {
-        // SAFETY: exports do not call each other, and each asks once.
+        // SAFETY: exports do not call each other, and each calls this once.
         unsafe { &mut *self.0.get() }
     }
 }

@@ -1,4 +1,5 @@
-//! What a light is good for: rendering, efficacy, clocks, plants; and the pure color that it resembles.
+//! The quantities of a light: color rendering, efficacy, its effects on the body clock and on plants, and its
+//! dominant wavelength.
 
 use crate::board::{Board, board, put};
 use crate::fixed::Fixed;
@@ -7,7 +8,8 @@ use nanospectra::color::{Cri, RenderingError, Tm30, Xy, cri, dominant_wavelength
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
 use nanospectra::{Fine, Power};
 
-/// Into `out`: dominant wavelength and purity of the chromaticity that is there, seen against white x, y.
+/// Writes to `out` the dominant wavelength and the purity of the chromaticity that is there, relative to a
+/// white.
 #[unsafe(no_mangle)]
 extern "C" fn dominant(observer: u32, white_x: f32, white_y: f32) {
     let out = &mut board().out;
@@ -17,8 +19,8 @@ extern "C" fn dominant(observer: u32, white_x: f32, white_y: f32) {
     out[..2].copy_from_slice(&values);
 }
 
-/// Into `out`: luminous efficacy of radiation in lm/W, the melanopic daylight efficacy ratio, then of W/m2/nm
-/// the illuminance in lx and the PPFD in umol/m2/s.
+/// Writes to `out` the luminous efficacy of radiation in lm/W and the melanopic daylight efficacy ratio,
+/// then, for a light in W/m2/nm, the illuminance in lx and the PPFD in umol/m2/s.
 #[unsafe(no_mangle)]
 extern "C" fn photometry() {
     let board = board();
@@ -29,7 +31,7 @@ extern "C" fn photometry() {
     board.out[3] = ppfd(light);
 }
 
-/// Why there is no rendering; 0 is for success.
+/// Returns the reason why there is no color rendering as a number; 0 stands for success.
 fn reason(error: RenderingError) -> u32 {
     use nanospectra::color::Cct;
     match error {
@@ -52,15 +54,16 @@ fn put_cri(light: &Fine<Power>, out: &mut [f32; 17]) -> u32 {
     }
 }
 
-/// Into `out`: Ra, the distance to the reference, R1..R15. Gives 0 or the reason why there are none.
+/// Writes to `out` Ra, the distance to the reference and R1..R15. Returns 0, or the reason why there are
+/// none.
 #[unsafe(no_mangle)]
 extern "C" fn rendering() -> u32 {
     let Board { curve, out, .. } = board();
     out.first_chunk_mut().map_or(0, |out| put_cri(curve, out))
 }
 
-/// Into `out`: Rf, Rg; of each hue bin Rf, chroma shift, hue shift and the number of samples (16 times 4); Rf
-/// of the 99 samples. Gives 0 or the reason why there are none.
+/// Writes to `out` Rf and Rg; then Rf, chroma shift, hue shift and the number of samples for each of 16 hue
+/// bins; then Rf of the 99 samples. Returns 0, or the reason why there are none.
 #[unsafe(no_mangle)]
 extern "C" fn fidelity() -> u32 {
     let board = board();
@@ -85,7 +88,7 @@ extern "C" fn fidelity() -> u32 {
 /// The most lights of a batch.
 const BATCH: usize = 512;
 
-/// A batch: 471 numbers a light in, 20 out.
+/// A batch, with 471 numbers of each light that come in and 20 that go out.
 struct Batch {
     lights: [Fine<Power>; BATCH],
     results: [[f32; 20]; BATCH],
@@ -104,8 +107,8 @@ extern "C" fn batch_results() -> *mut [f32; 20] {
     BATCHES.get().results.as_mut_ptr()
 }
 
-/// Of the first `count` lights X, Y, Z (sums with the CIE 1931 functions), then Ra, the distance to the
-/// reference and R1..R15 (NaN where there are none).
+/// Computes for each of the first `count` lights X, Y, Z (sums with the CIE 1931 functions), then Ra, the
+/// distance to the reference and R1..R15, which are NaN where there are none.
 #[unsafe(no_mangle)]
 extern "C" fn measure_batch(count: u32) {
     let Batch { lights, results } = BATCHES.get();

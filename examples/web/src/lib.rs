@@ -1,9 +1,10 @@
-//! nanospectra as wasm modules: plain exports over fixed memory, no allocator, no glue code.
+//! nanospectra as WebAssembly modules, with plain exports over fixed memory and without an allocator or
+//! generated glue code.
 //!
-//! Each feature is a module of its own (`tools/build.mjs` builds them): `light`, `paint`, `scene`, `core`,
-//! `bands`, `cost`, `lists` for the build, and `bits` for `tests/devices.sh`. JavaScript writes numbers into
-//! the buffers of [`board`], calls a function, and reads numbers from a buffer; `package/nanospectra.js` is
-//! that JavaScript.
+//! Each feature makes a module of its own, which `tools/build.mjs` builds: `light`, `paint`, `scene`, `core`
+//! and `bands` for the package; `cost` and `bench` for tests; `lists` for the build; and `bits` for
+//! `tests/devices.sh`. JavaScript writes numbers into the buffers of [`board`], calls a function and reads
+//! numbers from a buffer. That JavaScript begins in `package/nanospectra.js`.
 #![no_std]
 
 #[cfg(feature = "bands")]

@@ -1,9 +1,10 @@
-//! The names that the library lists, which `tools/lists.mjs` makes JavaScript of; not in the package.
+//! The names that the library lists, of which `tools/lists.mjs` makes JavaScript. This module is not in the
+//! package.
 
 use nanospectra::{light, observer};
 
-/// Item `index` of a list: names of illuminants, those for a message (one item), names of observers, their
-/// titles. Empty behind the last.
+/// Returns item `index` of a list, or an empty text behind the last. List 0 has the names of illuminants, 1
+/// has one text with them for messages, 2 the names of observers, and the others their titles.
 fn item(list: u32, index: u32) -> &'static str {
     let index = index as usize;
     let observer = observer::ALL.get(index);

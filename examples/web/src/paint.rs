@@ -1,4 +1,4 @@
-//! An RGB color to the spectrum of a surface.
+//! Finds the spectrum of a surface for an RGB color.
 
 use crate::board::board;
 #[cfg(feature = "paint")]
@@ -9,7 +9,7 @@ use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Sigmoid, Viewing};
 use nanospectra::{Curve, Nodes};
 
-/// Every 10 nm in the small module, every 5 nm in the other.
+/// The bands of the spectra, which are every 10 nm in the module `core` and every 5 nm in the module `paint`.
 #[cfg(not(feature = "paint"))]
 mod bands {
     pub type Grid = super::Nodes<400, 700>;
@@ -23,15 +23,15 @@ mod bands {
 pub use bands::{Grid, N};
 
 static VIEWING: Viewing<N, Grid> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
-/// The small module starts from the small map.
+/// The start map, which is the small one in the module `core`.
 #[cfg(not(feature = "paint"))]
 type Start = nanospectra::upsample::LinearStart;
 #[cfg(feature = "paint")]
 type Start = nanospectra::upsample::CubicStart;
 static SIGMOID: Sigmoid<N, Grid, Srgb, Start> = Sigmoid::new(&VIEWING);
 
-/// The reflectance of a linear sRGB color into `out`, one number a band. Gives 0, or 1 for a color that no
-/// smooth spectrum has; then nothing is written.
+/// Writes a reflectance of a linear sRGB color to `out`, with one number for each band. Returns 0, or 1 for a
+/// color that no smooth spectrum has, and then nothing is written.
 #[cfg(not(feature = "paint"))]
 #[unsafe(no_mangle)]
 extern "C" fn upsample(r: f32, g: f32, b: f32) -> u32 {
@@ -54,13 +54,15 @@ mod methods {
 
     static BASIS: Basis<N, Grid> = Basis::new(&VIEWING);
 
-    /// The reflectance that was made last.
+    /// The reflectance that was found last.
     static PAINT: Fixed<Reflectance<N, Grid>> = Fixed::new(Reflectance::flat(0.0));
 
-    /// The reflectance of an encoded sRGB color by method 0 (sigmoid), 1 (basis) or 2 (Smits), a color out
-    /// of reach desaturated (1) or met as near as can be. Into `out`: 81 numbers, the encoded RGB that they
-    /// have, CIEDE2000 between the two, and of the way from gray what a desaturated color kept. Gives 0
-    /// exact, 1 unreachable, 2 desaturated, 3 not within 0..=1, 4 approximate, 5 not finite.
+    /// Finds a reflectance of an encoded sRGB color by method 0 (sigmoid), 1 (basis) or 2 (Smits). A color
+    /// that no smooth spectrum has is desaturated if `desaturate` is 1, and is otherwise approached as near
+    /// as possible. Writes to `out` the 81 numbers of the reflectance, the encoded RGB of its color,
+    /// CIEDE2000 between the two colors, and the share of the way from gray that a desaturated color has
+    /// kept. Returns 0 for exact, 1 for unreachable, 2 for desaturated, 3 for not within 0..=1, 4 for
+    /// approximate, and 5 for not finite.
     #[unsafe(no_mangle)]
     extern "C" fn upsample(r: f32, g: f32, b: f32, method: u32, desaturate: u32) -> u32 {
         let rgb = EncodedRgb::<Srgb>::new(r, g, b).decode();
@@ -86,7 +88,7 @@ mod methods {
                 status = if possible { 0 } else { 3 };
                 spectrum
             }
-            // (Made anew: from 70 numbers, where all of its curves are 567.)
+            // Making its curves anew takes 70 numbers in the module instead of 567.
             _ => Smits::<N, Grid>::new().reflectance(rgb),
         };
         let out = &mut board().out;
@@ -97,8 +99,8 @@ mod methods {
         status
     }
 
-    /// That reflectance under the light in `light`. Into `out`: X, Y, Z (Y = 100 for white), L*, a*, b*,
-    /// 8-bit sRGB adapted to D65. Gives 0, or 1 for a light that is dark.
+    /// Computes the color of that reflectance under the light in `light`. Writes to `out` X, Y, Z (Y = 100
+    /// for white), L*, a*, b*, and 8-bit sRGB adapted to D65. Returns 0, or 1 if the light is dark.
     #[unsafe(no_mangle)]
     extern "C" fn paint_under() -> u32 {
         let board = board();

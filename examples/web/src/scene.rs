@@ -1,4 +1,4 @@
-//! Light through what it meets: the color, and what each part costs.
+//! Follows light through the parts of a scene, and computes the color and the price of each part.
 
 use crate::board::{Board, board, code, given, put};
 use crate::display::displayed;
@@ -13,27 +13,27 @@ use nanospectra::path::{IntoPart, Part, Price, Scene};
 use nanospectra::radiometry::{Exitance, Irradiance};
 use nanospectra::{Curve, Light, Nodes, Observer, Outside, Power, Reflectance, Spectrum};
 
-/// Every 5 nm.
+/// The bands of all spectra, every 5 nm.
 type Grid = Nodes<380, 780>;
 const N: usize = 81;
 /// The most parts that a scene may have.
 const PARTS: usize = 16;
 
-/// CIE 1931 and CIE 1964.
+/// The observers CIE 1931 and CIE 1964.
 pub static EYES: [Observer<3, N, Power, Grid>; 2] =
     [CIE_1931.fold(Curve::Spline), CIE_1964.fold(Curve::Spline)];
 
-/// V(lambda), which is y-bar of CIE 1931.
+/// Returns V(lambda), which is y-bar of CIE 1931.
 fn photopic() -> Observer<1, N, Power, Grid> {
     let [eye, _] = &EYES;
     let [_, y, _] = eye.weights();
     Observer::from_weights([*y])
 }
 
-/// A part by itself.
+/// One part of a scene.
 enum What {
     Nothing,
-    /// A factor, matt or clear, and what is there without its effect.
+    /// A reflectance of a matt surface, or a transmittance of a clear filter.
     Plain {
         factors: Reflectance<N, Grid>,
         matt: bool,
@@ -60,7 +60,8 @@ impl What {
     }
 }
 
-/// The parts in the order in which light meets them, and for a plain one what stands there without it.
+/// The parts in the order in which light meets them, and the factors that replace a plain part whose effect
+/// is switched off.
 struct Parts {
     parts: [What; PARTS],
     without: [Reflectance<N, Grid>; PARTS],
@@ -73,7 +74,7 @@ static SCENE: Fixed<Parts> = Fixed::new(Parts {
     count: 0,
 });
 
-/// The next part. Gives 0, or 7 if there is no room.
+/// Adds a part behind the others. Returns 0, or 7 if there is no room.
 fn add(what: What, without: Reflectance<N, Grid>) -> u32 {
     let Parts { parts, without: plain, count } = SCENE.get();
     let (Some(part), Some(plain)) = (parts.get_mut(*count), plain.get_mut(*count)) else { return 7 };
@@ -86,13 +87,14 @@ fn read(samples: &[(f32, f32)], outside: Outside) -> Result<Reflectance<N, Grid>
     Spectrum::from_samples_outside(samples, outside).map_err(code)
 }
 
-/// An empty scene.
+/// Empties the scene.
 #[unsafe(no_mangle)]
 extern "C" fn clear() {
     SCENE.get().count = 0;
 }
 
-/// A filter, or with `matt` a surface, of the samples. Gives 0 or an error's code, as all of these.
+/// Adds a filter, or with `matt` a surface, with the factors in the samples. Like all functions that add a
+/// part, it returns 0 or the code of an error.
 #[unsafe(no_mangle)]
 extern "C" fn factors(count: u32, matt: u32) -> u32 {
     match read(given(&board().samples, count), Outside::Hold) {
@@ -101,8 +103,8 @@ extern "C" fn factors(count: u32, matt: u32) -> u32 {
     }
 }
 
-/// A filter of absorbances for each cm, or with `matt` a surface behind such a layer. Gives 6 for what is
-/// none.
+/// Adds a filter with absorbances per cm, or with `matt` a surface behind such a layer. Returns 6 if one of
+/// them is not an absorbance.
 #[unsafe(no_mangle)]
 extern "C" fn absorber(count: u32, path_m: f32, matt: u32) -> u32 {
     let absorbance = match read(given(&board().samples, count), Outside::Hold) {
@@ -115,8 +117,9 @@ extern "C" fn absorber(count: u32, path_m: f32, matt: u32) -> u32 {
     }
 }
 
-/// A dye: samples of reflectance, absorption and emission one after the other, so many of each. What is wrong
-/// with the dye is 65536 more than a kind, and `out` holds the bins.
+/// Adds a dye. The samples hold its reflectance, absorption and emission one after the other, with these
+/// numbers of samples. An error of the dye is returned as 65536 plus its kind, and the bins are written to
+/// `out`.
 #[unsafe(no_mangle)]
 extern "C" fn dye(reflectance: u32, absorption: u32, emission: u32, quantum_yield: f32) -> u32 {
     let Board { samples, out, .. } = board();
@@ -140,14 +143,14 @@ extern "C" fn dye(reflectance: u32, absorption: u32, emission: u32, quantum_yiel
                 _ => (5, [0, 0]),
             };
             put(out, 0, [from as f32, to as f32]);
-            // (Above any error of samples: those count to 8 * 4096.)
+            // This is above any error of samples, which are at most about 8 * 4096.
             (1 << 16) + kind
         }
     }
 }
 
-/// A thin film, reflecting or transmitting, met at an angle of this cosine. Without interference it is a
-/// plate.
+/// Adds a thin film that reflects or transmits light at an angle of this cosine. Without its effect, which is
+/// interference, it is a plate.
 #[unsafe(no_mangle)]
 extern "C" fn film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmitted: u32) -> u32 {
     let share = |thickness_nm| {
@@ -164,42 +167,41 @@ extern "C" fn film(before: f32, n: f32, behind: f32, nm: f32, cos: f32, transmit
     add(What::Plain { factors: share(nm), matt: false }, share(f32::INFINITY))
 }
 
-/// A mirror of index n + ik met at an angle of this cosine.
+/// Adds a mirror of index n + ik that light meets at an angle of this cosine.
 #[unsafe(no_mangle)]
 extern "C" fn mirror(n: f32, k: f32, cos: f32, axis_turns: f32) -> u32 {
     add(What::Mirror(Mirror::conductor(&Spectrum::flat(n), &Spectrum::flat(k), cos, axis_turns)), CLEAR)
 }
 
-/// A polarizer with these transmittances along its axis and across.
+/// Adds a polarizer with these transmittances along its axis and across.
 #[unsafe(no_mangle)]
 extern "C" fn polarizer(along: f32, across: f32, axis_turns: f32) -> u32 {
     let polarizer = Polarizer::new(&Reflectance::flat(along), &Reflectance::flat(across), axis_turns);
     add(What::Polarizer(polarizer), CLEAR)
 }
 
-/// A wave plate of this path difference in nm.
+/// Adds a wave plate of this path difference in nm.
 #[unsafe(no_mangle)]
 extern "C" fn retarder(path_difference_nm: f32, axis_turns: f32) -> u32 {
     add(What::Retarder(Retarder::from_path_difference(path_difference_nm, axis_turns)), CLEAR)
 }
 
-/// Where results stand in `out`.
+/// The places of results in `out`.
 mod at {
-    /// 81 numbers each: the lamp, and what leaves.
+    /// The 81 numbers of the lamp, and at `LEAVING` the 81 numbers of the light that leaves the scene.
     pub const LIT: usize = 0;
     pub const LEAVING: usize = 81;
-    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB and whether it was clipped; 8-bit sRGB of the lamp (and
-    /// whether).
+    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB and whether it was clipped; then the latter two for the lamp.
     pub const LOOK: usize = 162;
-    /// Multiply-adds and bytes: walked, folded.
+    /// Multiply-adds and bytes for following the light, and then for the folded scene.
     pub const PRICES: usize = 178;
-    /// lx, W/m2, lm/m2, W/m2, cd/m2, W/m2/sr.
+    /// The six numbers of [`absolute`](super::absolute), in lx, W/m2, lm/m2, W/m2, cd/m2 and W/m2/sr.
     pub const ABSOLUTE: usize = 182;
-    /// Of the parts that are on: CIEDE2000 to the whole scene, multiply-adds.
+    /// For the parts that are switched on, CIEDE2000 to the whole scene, and multiply-adds.
     pub const SHOWN: usize = 188;
-    /// Within the budget: CIEDE2000, multiply-adds, 8-bit sRGB, a bit for each part that is left out.
+    /// Within the budget, CIEDE2000, multiply-adds, 8-bit sRGB, and a bit for each part that is left out.
     pub const BUDGET: usize = 190;
-    /// For each part multiply-adds, bytes, CIEDE2000 without it, 8-bit sRGB without it.
+    /// For each part, multiply-adds, bytes, CIEDE2000 without it, and 8-bit sRGB without it.
     pub const BILL: usize = 196;
 }
 
@@ -207,7 +209,7 @@ fn price(price: Price) -> [f32; 2] {
     [price.multiply_adds as f32, price.bytes as f32]
 }
 
-/// An eye and the white it is adapted to.
+/// An observer, the lamp, and the white to which the observer is adapted.
 struct Viewing {
     eye: &'static Observer<3, N, Power, Grid>,
     white: Xyz,
@@ -215,13 +217,13 @@ struct Viewing {
 }
 
 impl Viewing {
-    /// X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB, clipped.
+    /// Returns X, Y, Z; x, y; L*, a*, b*; 8-bit sRGB; and whether that is clipped.
     fn look(&self, light: &Light<N, Grid>) -> [f32; 12] {
         let scale = 100.0 / self.white.y;
         let seen = Xyz::from(self.eye.sees(light)).scaled(scale);
         let white = self.white.scaled(scale);
         let (rgb, [r, g, b]) = displayed(seen, white);
-        // A step of an 8-bit code is 3e-4 or more.
+        // The tolerance is below the smallest step of an 8-bit code, which is 3e-4.
         let clipped = rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part));
         let nan = f32::NAN;
         let lab = seen.lab_with::<Portable>(white).unwrap_or(Lab::new(nan, nan, nan));
@@ -236,7 +238,7 @@ impl Viewing {
     }
 }
 
-/// The scene with these parts without their effects (a bit each).
+/// Builds the scene, in which the parts whose bits are set in `off` have no effect.
 fn scene(Parts { parts, without, count }: &Parts, off: u32) -> Scene<'_, N, PARTS, Grid> {
     let mut scene = Scene::new();
     for (k, (part, without)) in parts.iter().zip(without).take(*count).enumerate() {
@@ -246,15 +248,15 @@ fn scene(Parts { parts, without, count }: &Parts, off: u32) -> Scene<'_, N, PART
             What::Plain { .. } if is_off => Part::Filter(without),
             part => part.part(),
         };
-        // There is room: `add` counted.
+        // There is always room, since `add` has counted the parts.
         let _ = scene.push(part);
     }
     (0..*count).filter(|k| off >> k & 1 == 1).fold(scene, Scene::leaving_out)
 }
 
-/// The scene under the lamp in `curve`, brought to `illuminance_lx` if that is above 0, seen by eye 0 (CIE
-/// 1931) or 1 (CIE 1964). `off` has a bit for each part whose effect is switched off; effects are left out
-/// within `budget` if it is not negative. Gives 0, or 1 for a lamp that is dark.
+/// Computes the scene under the lamp in `curve`, which is scaled to `illuminance_lx` if that is above 0, for
+/// eye 0 (CIE 1931) or 1 (CIE 1964). `off` has a bit for each part whose effect is switched off. If `budget`
+/// is not negative, effects are left out within that CIEDE2000. Returns 0, or 1 if the lamp is dark.
 #[unsafe(no_mangle)]
 extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u32 {
     let board = board();
@@ -279,7 +281,7 @@ extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u3
     let [.., r, g, b, clipped] = viewing.look(&lit);
     put(out, at::LOOK + 12, [r, g, b, clipped]);
 
-    // The three rows of the eye.
+    // The price of applying the three rows of the observer.
     let reading = Price { multiply_adds: 3 * N, bytes: 12 * N, ..Price::NONE };
     put(out, at::PRICES, price(whole.price().plus(Price::light(N)).plus(reading)));
     put(out, at::PRICES + 2, price(whole.folded_price(3).plus(Price::light(N))));
@@ -303,7 +305,8 @@ extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u3
     0
 }
 
-/// Illuminance and irradiance in front, exitance behind, and luminance and radiance if that is matt.
+/// Returns the illuminance and irradiance of the light that arrives, the luminous and radiant exitance of the
+/// light that leaves, and the luminance and radiance for a matt surface.
 fn absolute(
     lit: Light<N, Grid>,
     leaving: Light<N, Grid>,

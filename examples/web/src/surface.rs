@@ -1,4 +1,4 @@
-//! A surface in a light.
+//! Computes the color of a surface in a light.
 
 use crate::board::{board, put};
 use crate::measure::{at, chromaticity, eye, show};
@@ -7,14 +7,14 @@ use nanospectra::{Factor, Fine};
 
 const PERFECT_WHITE: Lab = Lab { l: 100.0, a: 0.0, b: 0.0 };
 
-/// CIEDE2000 between two L*, a*, b*.
+/// Returns CIEDE2000 between two colors in L*, a*, b*.
 #[unsafe(no_mangle)]
 extern "C" fn difference(l: f32, a: f32, b: f32, other_l: f32, other_a: f32, other_b: f32) -> f32 {
     ciede2000(Lab { l, a, b }, Lab { l: other_l, a: other_a, b: other_b })
 }
 
-/// The surface with the reflectance in `curve`, in the light of `light`. Gives 0, 1 if there is no white to
-/// be relative to, 2 if that cannot be adapted to D65, 3 for both.
+/// Computes the color of the reflectance in `curve` in the light in `light`. Returns 0, plus 1 if the light
+/// gives no white for Lab, plus 2 if its white cannot be adapted to D65.
 #[unsafe(no_mangle)]
 extern "C" fn see_surface(observer: u32) -> u32 {
     let board = board();

@@ -1,10 +1,11 @@
-// How many bytes each file has and may have. NANOSPECTRA_BLESS=1 puts what is measured on record, here and in both READMEs of this folder.
+// The sizes that each file has on record and may have. NANOSPECTRA_BLESS=1 records the measured sizes in sizes.json and
+// in both READMEs.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 
-// The bars, whatever is on record.
+// The limits, which hold whatever is on record.
 const MOST = {
-  // Before compression.
+  // These are sizes before compression.
   'core.wasm': 8192,
   'core.simd.wasm': 8192,
   'light.wasm': 24576,
@@ -17,7 +18,7 @@ const MOST = {
   'bands.simd.wasm': 2400,
   'cie1931.tables': 2200,
   'light.tables': 21000,
-  // By brotli: what measuring a spectrum takes, and all four tabs, without the bundled lamps.
+  // These are compressed by brotli, without the bundled lamps: the files to measure a spectrum, and those of all tabs.
   'first-tab.br': 61440,
   'page.br': 96000,
 };
@@ -30,7 +31,7 @@ const read = (url) => readFileSync(url, 'utf8');
 const recorded = () => JSON.parse(read(RECORD));
 const kilobytes = (size) => (size / 1000).toFixed(1);
 
-/** Is the size the one on record, within 2 %, and within the bars? @param {string} what @param {number} size */
+/** Checks that a size is within the limits and within 2 % of the record. @param {string} what @param {number} size */
 export function allowed(what, size) {
   console.log(`${what}: ${size} bytes`);
   assert.ok(size <= MOST[what], `${what}: ${size} bytes, ${MOST[what]} allowed`);
@@ -46,7 +47,7 @@ function record(what, size) {
   for (const readme of READMES) writeFileSync(readme, read(readme).replace(ROW, renewed));
 }
 
-/** The READMEs state the sizes on record, to a tenth of a KB. */
+/** Checks that the READMEs state the sizes on record, to a tenth of a KB. */
 export function stated() {
   if (process.env.NANOSPECTRA_BLESS) return;
   const record = recorded();

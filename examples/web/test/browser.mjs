@@ -1,10 +1,10 @@
-// A headless Chromium by its DevTools protocol over a pipe: no driver, no dependency.
+// Controls a headless Chromium by its DevTools protocol over a pipe, without a driver or other dependencies.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-/** Starts one. @param {string} [program] */
+/** Starts a browser. @param {string} [program] */
 export async function chromium(program = process.env.CHROMIUM ?? 'chromium') {
   const profile = mkdtempSync(join(tmpdir(), 'nanospectra-'));
   const child = spawn(
@@ -52,7 +52,7 @@ export async function chromium(program = process.env.CHROMIUM ?? 'chromium') {
     });
 
   return {
-    /** A new page with what it says and fails at. */
+    /** Opens a new page, which records its errors and requests. */
     async page() {
       const { targetId } = await send('Target.createTarget', { url: 'about:blank' });
       const { sessionId } = await send('Target.attachToTarget', { targetId, flatten: true });
@@ -82,9 +82,9 @@ export async function chromium(program = process.env.CHROMIUM ?? 'chromium') {
 class Page {
   constructor(send, listen) {
     this.send = send;
-    /** What went wrong: exceptions, console errors, requests that failed. @type {string[]} */
+    /** The errors of the page: exceptions, console errors and failed requests. @type {string[]} */
     this.errors = [];
-    /** Every address that was asked for. @type {string[]} */
+    /** The addresses of all requests. @type {string[]} */
     this.requests = [];
     listen(({ method, params }) => {
       if (method === 'Runtime.exceptionThrown')
@@ -119,7 +119,7 @@ class Page {
     await this.until("document.documentElement?.dataset.ready === 'yes'");
   }
 
-  /** The value of an expression in the page. @param {string} expression */
+  /** Returns the value of an expression in the page. @param {string} expression */
   async value(expression) {
     const { result, exceptionDetails } = await this.send('Runtime.evaluate', {
       expression,
@@ -155,7 +155,7 @@ class Page {
     );
   }
 
-  /** The middle of an element, scrolled into view. */
+  /** Scrolls an element into view and returns its middle. */
   async place(selector) {
     return this.value(
       `(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({ block: 'center' }); const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()`,
@@ -169,7 +169,7 @@ class Page {
     await this.send('Input.dispatchMouseEvent', { type: 'mouseReleased', ...at });
   }
 
-  /** Drags along points, by shares of an element's box. @param {[number, number][]} points */
+  /** Drags along points that are given as shares of an element's box. @param {[number, number][]} points */
   async drag(selector, points) {
     const [left, top, width, height] = await this.place(selector);
     const at = ([x, y]) => ({

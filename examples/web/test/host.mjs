@@ -1,11 +1,11 @@
-// The program `nanospectra` and its commands, to compare with.
+// Runs the program `nanospectra`, with whose results those of the package and the page are compared.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const target = process.env.CARGO_TARGET_DIR ?? `${root}target`;
 
-/** Builds it, once. */
+/** Builds the program. */
 export function build() {
   execFileSync('cargo', ['build', '--quiet', '--release', '-p', 'nanospectra-cli'], { cwd: root, stdio: 'inherit' });
 }

@@ -1,4 +1,5 @@
-// The package as a user gets it: packed, installed elsewhere, its README's example run, its types compiled.
+// Tests the package as a user gets it: packs it, installs it elsewhere, runs the example of its README and compiles its
+// types.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

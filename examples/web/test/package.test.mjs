@@ -1,4 +1,4 @@
-// The package in node: the same numbers as the crate's command-line examples to the last bit, in both builds.
+// Tests the package in node: both builds give the same numbers as the program `nanospectra`, to the last bit.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -37,13 +37,13 @@ before(async () => {
   }
 });
 
-/** The CSV of lamps on one grid. */
+/** Returns the CSV of lamps with the same wavelengths. */
 function table(lamps) {
   const rows = lamps[0].samples.map(([nm], k) => [nm, ...lamps.map((lamp) => lamp.samples[k][1])].join(','));
   return [`nm,${lamps.map((lamp) => lamp.name).join(',')}`, ...rows].join('\n');
 }
 
-/** Every lamp, as files of the same wavelengths. */
+/** Returns every lamp, in files of lamps with the same wavelengths. */
 function files() {
   const groups = new Map();
   for (const lamp of loaded.get(false).light.lamps.values()) {
@@ -53,13 +53,13 @@ function files() {
   return [...groups.values()].map(table);
 }
 
-/** Compares every key that the command line has. */
+/** Compares every key that the program prints. */
 function same(reading, expected) {
   for (const key of Object.keys(expected))
     assert.deepEqual(reading[key], expected[key], `${expected.name}: ${key}`);
 }
 
-/** What stops the command line, as it says it. */
+/** Returns the message with which the program refuses an input. */
 function refusal(args, text) {
   const { status, stderr } = host.run('measure', [...args, '-'], text);
   assert.equal(status, 2, text);
@@ -204,7 +204,7 @@ for (const [name, simd] of BUILDS) {
       { reflectance: true, light: 'E' },
     );
     assert.deepEqual(core.lab(paper.XYZ, white.XYZ), paper.lab);
-    // Every 10 nm, where the large module has every 5 nm: another grid, another spectrum, near by.
+    // The small module has steps of 10 nm and the large one steps of 5 nm, so that the spectra differ a little.
     const [few, many] = [core.upsample([0.8, 0.2, 0.1]), loaded.get(simd).paint.upsample([0.8, 0.2, 0.1])];
     few.values.forEach((value, k) => assert.ok(Math.abs(value - many.spectrum[4 + 2 * k]) < 0.01));
     assert.throws(() => core.upsample([NaN, 0, 0]), /not finite/);
@@ -247,7 +247,7 @@ test('goldens: XYZ, CCT, Duv, Ra, R1..R15, Rf and Rg of lamps, from definitions 
   )) {
     ['X', 'Y', 'Z'].forEach((key, k) => near(by({}).XYZ[k], Number(row[key]), 4e-7 * Number(row[key]), row.id));
   }
-  // The other goldens read 5 nm tables by Sprague's rule.
+  // The other expected values come from 5 nm tables that are read by Sprague's rule.
   for (const [row, by] of rows('02_cct_sources', () => true)) {
     const { cct_k, duv } = by({ interpolation: 'sprague' });
     near(1e6 / cct_k, 1e6 / Number(row.T_exact), 0.009, `${row.id}, mired`);
@@ -381,17 +381,17 @@ test('samples that are no spectrum are an Error with the words of the crate', ()
     /is no CIE illuminant/,
   );
   assert.throws(() => light.lab([1, NaN, 1], [95, 100, 108]), /not finite/);
-  assert.throws(() => paint.upsample([0, 0, 0], { beyond: 'x' }), /beyond = x; use nearest, desaturate/);
-  assert.throws(() => light.batch(513), /512 have room/);
+  assert.throws(() => paint.upsample([0, 0, 0], { beyond: 'x' }), /beyond is x; use one of nearest, desaturate/);
+  assert.throws(() => light.batch(513), /give a whole number up to 512/);
 });
 
 test('what an export would take for something else is refused before it is called', async () => {
   const { light, paint, core } = loaded.get(true);
   for (const rgb of [[0.8, 0.2], [0.8, 0.2, 0.1, 1], '#cc331a', null]) {
-    assert.throws(() => paint.upsample(rgb), /rgb: \d numbers; give 3/);
-    assert.throws(() => core.upsample(rgb), /rgb: \d numbers; give 3/);
+    assert.throws(() => paint.upsample(rgb), /rgb has \d numbers; give 3/);
+    assert.throws(() => core.upsample(rgb), /rgb has \d numbers; give 3/);
   }
-  assert.throws(() => light.lab([1, 2, 3, 4], [95, 100, 108]), /xyz: 4 numbers/);
+  assert.throws(() => light.lab([1, 2, 3, 4], [95, 100, 108]), /xyz has 4 numbers/);
   const samples = [
     [400, 1],
     [700, 1],
@@ -399,8 +399,8 @@ test('what an export would take for something else is refused before it is calle
   assert.throws(() => light.spectrum(samples, { interpolation: 'cubic' }), /no interpolation cubic/);
   assert.throws(() => light.spectrum(samples, { unit: 'watts' }), /no unit watts/);
   assert.throws(() => light.spectrum('D65'), /sample 0 is not a finite number/);
-  for (const kelvin of [NaN, 0, 499, undefined]) assert.throws(() => light.blackBody(kelvin), /does not shine for eyes/);
-  for (const count of [1.5, null, -1]) assert.throws(() => light.batch(count), /512 have room/);
+  for (const kelvin of [NaN, 0, 499, undefined]) assert.throws(() => light.blackBody(kelvin), /is out of range/);
+  for (const count of [1.5, null, -1]) assert.throws(() => light.batch(count), /give a whole number up to 512/);
   const alone = await load({ module: 'paint' });
   assert.throws(() => alone.upsample([0.8, 0.2, 0.1]), /there are no lamps yet/);
 });
@@ -429,7 +429,7 @@ test('bands of an instrument are seen as by the crate, in both builds', () => {
   for (const build of [plain, simd]) build.measure(2);
   assert.deepEqual(plain.xyz.slice(0, 6), simd.xyz.slice(0, 6));
   const [, white, , x, y, z] = simd.xyz;
-  // The scene looks through the same fold, and calls the lamp 100.
+  // The scene uses the same folded observer, scaled so that the lamp has Y = 100.
   [x, y, z].forEach((value, k) => assert.ok(Math.abs((100 * value) / white - vest.XYZ[k]) < 2e-5));
 });
 

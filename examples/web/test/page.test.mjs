@@ -1,4 +1,4 @@
-// The page in a headless Chromium: what it shows is what the command line says, and nothing goes wrong on the way.
+// Tests the page in a headless Chromium: it shows the results of the program `nanospectra`, and has no errors.
 import assert from 'node:assert/strict';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -56,7 +56,7 @@ const shown = () =>
   );
 const text = (value) => (Array.isArray(value) ? value.join(', ') : String(value));
 
-/** Every number on the page is the command line's. */
+/** Checks that every number on the page is that of the program. */
 async function same(expected) {
   const numbers = await shown();
   for (const key of Object.keys(KEYS)) {
@@ -87,7 +87,7 @@ check('a file that is opened shows the numbers of nanospectra measure --json', a
   await page.until("document.querySelector('#numbers [data-key=cct_k]')?.textContent.startsWith('4102.8')");
   const [expected] = host.json('measure', [bundled]);
   await same(expected);
-  // The bars have the colors of the samples: R9 is a strong red, R11 a green, R12 a blue.
+  // The bars have the colors of the samples, of which R9 is a strong red, R11 a green and R12 a blue.
   const bars = await page.value("[...document.querySelectorAll('#plot-cri rect[fill^=rgb]')].map((bar) => bar.getAttribute('fill'))");
   const largest = (k) => ((rgb) => rgb.indexOf(Math.max(...rgb)))(bars[k - 1].match(/\d+/g).map(Number));
   assert.deepEqual([9, 11, 12].map(largest), [0, 1, 2], `${bars}`);
@@ -205,7 +205,7 @@ check('a link that says what cannot be is a page that works', async () => {
     );
   }
   await page.open(`${root}#tab=scene&off=99`);
-  assert.match(await page.value("document.querySelector('#verdict').textContent"), /multiply-adds part by part/);
+  assert.match(await page.value("document.querySelector('#verdict').textContent"), /^Following the light through all parts takes \d+ multiply-adds/);
   assert.equal((await fetch(`${root}%`)).status, 404);
 });
 
@@ -253,7 +253,7 @@ check('paint shows three methods, their round trips and lamps', async () => {
   );
   assert.match(await page.value('location.hash'), /20a040/);
   await page.value("document.querySelector('input[value=smits]').click()");
-  assert.match(await page.value("document.querySelector('#paint-status').textContent"), /^smits: comes near/);
+  assert.match(await page.value("document.querySelector('#paint-status').textContent"), /^smits: the spectrum comes near/);
 });
 
 check('switching an effect off costs what the bill of the command line says', async () => {
@@ -322,7 +322,7 @@ check('tabs and theme work by keyboard', async () => {
   const was = await theme();
   await page.value("document.querySelector('#theme').click()");
   assert.notEqual(await theme(), was);
-  // It is the reader's: it stays, and the link says nothing of it.
+  // The theme belongs to the reader: it stays after a reload, and the link does not carry it.
   await page.open(`${root}?again`);
   assert.notEqual(await theme(), was);
   assert.doesNotMatch(await page.value('location.hash'), /theme/);
@@ -423,7 +423,7 @@ check('without a network there is still all of the page', async () => {
   } finally {
     server = await serve(folder, Number(new URL(root).port));
   }
-  // Whatever failed was meant to.
+  // The requests that failed here were meant to fail.
   page.errors.length = 0;
 });
 

@@ -1,4 +1,4 @@
-// Scenes for the comparison with the command line, as TOML: every lamp, both eyes, every part.
+// Scenes in TOML for the comparison with the program: every lamp, both observers and every part.
 export const RECIPES = [
   `title = "a black body through gray glass"
 [lamp]

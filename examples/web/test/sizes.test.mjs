@@ -1,4 +1,4 @@
-// How large everything is.
+// Tests the sizes of all files against the limits and the record.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import test from 'node:test';
@@ -18,7 +18,7 @@ test('what a browser fetches for all of the page, compressed, without the bundle
   const sizes = readdirSync(new URL('../dist/page/', import.meta.url), { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => `${entry.parentPath ?? entry.path}/${entry.name}`)
-    // It takes the build with vectors or the one without.
+    // A browser fetches either the build with vectors or the one without.
     .filter((path) => !/lamps\.json|\/(light|paint|scene)\.wasm/.test(path))
     .map((path) => brotliCompressSync(readFileSync(path)).length);
   allowed(

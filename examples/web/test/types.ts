@@ -1,4 +1,4 @@
-// How the package is used from TypeScript: compiled, never run.
+// Uses the package from TypeScript. The tests compile this file and never run it.
 import { load, type Reading, type SceneAnswer, type Upsampled } from '../dist/nanospectra/nanospectra.js';
 import { parse } from '../dist/nanospectra/csv.js';
 
@@ -23,11 +23,11 @@ const answer: SceneAnswer = scenes
 const core = await load({ module: 'core' });
 const hex: string | null = core.spectrum([[400, 1], [700, 1]]).hex;
 
-// @ts-expect-error a core has no scenes
+// @ts-expect-error the module core has no scenes
 core.scene({});
-// @ts-expect-error no such observer
+// @ts-expect-error there is no such observer
 light.spectrum(source!, { observer: '1932' });
-// @ts-expect-error no such module
+// @ts-expect-error there is no such module
 await load({ module: 'full' });
 
 export { answer, hex, kelvin, red };

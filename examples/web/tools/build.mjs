@@ -1,7 +1,7 @@
 // Builds the package and the page: node tools/build.mjs
 //
-// Each module is built plain and with simd128. The measured tables are taken out of its data and travel packed, in one
-// file for both builds; a section `places` of the module says where in memory they belong.
+// Each module is built plain and with simd128. The measured tables are taken out of its data and packed into one file
+// for both builds. A section `places` of the module says where in memory they belong.
 import { execFileSync } from 'node:child_process';
 import { cpSync, existsSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -16,7 +16,7 @@ import { scenes } from './scenes.mjs';
 const here = (path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
 const target = process.env.CARGO_TARGET_DIR ?? here('target');
 
-/** Brings what the build needs and what makes its results smaller; without the latter they are served as they are. */
+/** Installs what the build needs, and what makes its results smaller; without the latter they are used as they are. */
 function ready() {
   const said = (command, args) => execFileSync(command, args, { cwd: here(''), encoding: 'utf8' });
   if (!said('rustup', ['target', 'list', '--installed']).includes('wasm32-unknown-unknown'))
@@ -25,23 +25,23 @@ function ready() {
   try {
     said('npm', ['ci', '--silent']);
   } catch (error) {
-    console.log(`npm ci did not work, so modules and scripts are larger than they need be: ${error.message}`);
+    console.log(`npm ci failed, so the modules and scripts are larger than necessary: ${error.message}`);
   }
 }
 
-/** The modules that are to be small, and the tables that each is loaded with. */
+/** The modules that are built for size, and the tables with which each is loaded. */
 const MODULES = { core: 'cie1931', light: 'light', paint: 'cie1931', scene: null };
 
 /** @param {string} feature @param {boolean} simd @returns {Uint8Array} */
 function compile(feature, simd) {
   const directory = `${target}/${simd ? 'simd128' : 'plain'}`,
     profile = ['bands', 'bench'].includes(feature) ? 'fast' : 'small';
-  // (All rows in one pass, which the feature `simd` adds, is for the fast ones.)
+  // The feature `simd` computes all rows in one pass, which only pays for the modules that are built for speed.
   const features = simd && profile === 'fast' ? `${feature},simd` : feature;
-  // No path of this machine belongs into a module.
+  // The modules must not contain paths of this machine.
   const flags = [`--remap-path-prefix=${here('../../')}=`, ...(simd ? ['-Ctarget-feature=+simd128'] : [])];
-  // What is called twice is there once: a tenth of the code.
-  // And below 1 MB, where the stack usually ends, an address takes a byte less.
+  // Less inlining saves a tenth of the code. With a smaller stack the data lies below 1 MB, where an address takes a byte
+  // less.
   if (feature in MODULES) flags.push('-Cllvm-args=-inline-threshold=10', '-Clink-arg=-zstack-size=131072');
   const env = { ...process.env, CARGO_TARGET_DIR: directory, CARGO_ENCODED_RUSTFLAGS: flags.join('\x1f') };
   execFileSync(
@@ -53,7 +53,7 @@ function compile(feature, simd) {
 }
 
 /**
- * Takes tables out of a module's data.
+ * Takes tables out of the data of a module.
  * @param {Uint8Array} wasm @param {Iterable<[number, Float32Array]>} tables and their numbers
  * @returns {Uint8Array} the module, without what only debuggers read
  */
@@ -77,11 +77,11 @@ function without(wasm, tables) {
 
 const OPTIMIZER = here('node_modules/binaryen/bin/wasm-opt');
 
-/** What Binaryen makes of a module: a tenth less code; as it is if `npm ci` has not brought it. @param {Uint8Array} wasm */
+/** Makes a module a tenth smaller by Binaryen, or leaves it as it is without `npm ci`. @param {Uint8Array} wasm */
 function smaller(wasm) {
   if (!existsSync(OPTIMIZER)) return wasm;
   const enabled = ['simd', 'bulk-memory', 'sign-ext', 'mutable-globals', 'nontrapping-float-to-int'];
-  // (The first kilobyte of memory is the last that the stack would reach.)
+  // The option is allowed because nothing is in the first kilobyte of memory, which only a full stack would reach.
   const options = ['-Oz', '--flatten', '--rereloop', '-Oz', '-Oz', '--converge', '--low-memory-unused', ...enabled.map((feature) => `--enable-${feature}`)];
   const [before, after] = [here('dist/before.wasm'), here('dist/after.wasm')];
   writeFileSync(before, wasm);
@@ -92,14 +92,14 @@ function smaller(wasm) {
   return small;
 }
 
-/** Without comments that have lines of their own, and without indentation: what only people read. */
+/** Removes comments that have lines of their own, and indentation. */
 const lean = (text) =>
   text
     .replace(/^\s*\/\*\*?[\s\S]*?\*\/\s*$/gm, '')
     .replace(/^\s*\/\/.*$/gm, '')
     .replace(/^\s+/gm, '');
 
-/** The page's scripts, one for each tab and what they share, and its style, packed; as they are if `npm ci` has not brought esbuild. */
+/** Packs the scripts and the style of the page by esbuild, or leaves them as they are without `npm ci`. */
 async function bundle() {
   const esbuild = await import('esbuild').catch(() => null);
   if (!esbuild) return;
@@ -113,7 +113,7 @@ async function bundle() {
     target: 'es2022',
     legalComments: 'none',
     logLevel: 'error',
-    // The page has no use for these modules.
+    // The page does not use these modules.
     external: ['./core.js', './bands.js'],
     chunkNames: '[name]-[hash]',
     outdir: here('dist/page'),
@@ -123,7 +123,7 @@ async function bundle() {
   for (const { path, contents } of outputs) writeFileSync(path, contents);
 }
 
-/** Instructions from N bands to X, Y, Z, from the record of tests/devices.sh: by target, whether folded, profile and N. */
+/** Returns the recorded instructions from N bands to X, Y, Z by target, whether folded or not, profile and N. */
 function instructions() {
   const counts = {};
   for (const line of readFileSync(here('../../tests/data/instructions.txt'), 'utf8').split('\n')) {
@@ -176,7 +176,7 @@ export async function build() {
   return sizes;
 }
 
-/** What test/ compares speeds and the page's folds with. */
+/** Builds the modules with which speeds and the errors of the tab Cost are compared. */
 export function buildBench() {
   for (const simd of [false, true])
     writeFileSync(here(`dist/bench${simd ? '.simd' : ''}.wasm`), compile('bench', simd));

@@ -1,9 +1,9 @@
-// The CIE's lamps for the page, from the crate's tables.
+// Makes lamps.json, the CIE's lamps, from the tables of the crate.
 import { files, read } from './tables.mjs';
 
 /**
- * Every lamp as published; of two tables of the same lamps the one every 5 nm.
- * @param {string[]} illuminants what `light::NAMES` lists
+ * Returns every lamp as published. Of two tables of the same lamps it takes the one with steps of 5 nm.
+ * @param {string[]} illuminants the names of `light::NAMES`
  * @returns {{name: string, first: number, step: number, values: number[]}[]}
  */
 export function lamps(illuminants) {
@@ -15,7 +15,7 @@ export function lamps(illuminants) {
       const { nm, names, columns } = read(file);
       return names.map((name, k) => ({ name, first: nm[0], step: nm[1] - nm[0], values: columns[k] }));
     });
-  // In the order of the crate. E has no table.
+  // The lamps stand in the order of the crate. E has no table.
   const wanted = illuminants.filter((name) => name !== 'E' && !name.endsWith('_1NM'));
   const found = wanted.map((wanted) => lamps.find(({ name }) => name === wanted));
   if (found.includes(undefined) || lamps.length !== wanted.length)

@@ -1,4 +1,4 @@
-// The names that the crate lists, for the package and the page.
+// Makes lists.js, the names that the crate lists, for the package and the page.
 
 /** @param {Uint8Array} wasm the module `lists` @returns {{illuminants: string[], brief: string, observers: [string, string][]}} */
 export function lists(wasm) {
@@ -13,15 +13,15 @@ export function lists(wasm) {
   return { illuminants, brief, observers: names.map((name, k) => [name, titles[k]]) };
 }
 
-/** lists.js and its types. @param {ReturnType<typeof lists>} lists */
+/** Returns the texts of lists.js and of its types. @param {ReturnType<typeof lists>} lists */
 export const source = ({ brief, observers }) => ({
   'lists.js': `// Made by tools/lists.mjs from the lists of the crate.
-/** Name and title of each. */
+/** The name and the title of each observer. */
 export const OBSERVERS = ${JSON.stringify(observers)};
 /** The names of the illuminants, for messages. */
 export const ILLUMINANTS = ${JSON.stringify(brief)};
 `,
-  'lists.d.ts': `/** Color-matching functions by name. */
+  'lists.d.ts': `/** The names of the observers, which are sets of color-matching functions. */
 export type Observer = ${observers.map(([name]) => JSON.stringify(name)).join(' | ')};
 export const OBSERVERS: [Observer, string][];
 export const ILLUMINANTS: string;

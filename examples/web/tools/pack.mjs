@@ -1,15 +1,15 @@
-// Packs tables for package/tables.js, which unpacks them.
+// Packs the measured tables. package/tables.js unpacks them and describes the format.
 import { BLOCK, POWERS, predicted } from '../package/tables.js';
 
 /**
  * @typedef {object} Table
  * @property {number} rule one of RULES
- * @property {number} before zeros in front of each column
- * @property {number} behind zeros behind it
- * @property {number[][]} columns values; for a copy [[table, column, rows]]
+ * @property {number} before the number of zeros in front of each column
+ * @property {number} behind the number of zeros behind each column
+ * @property {number[][]} columns the values, or for a copy [[table, column, rows]]
  */
 
-/** The decimals that a number needs, 0..15. */
+/** Returns how many decimals a number needs, 0..15. */
 function decimals(value) {
   const [mantissa, exponent = '0'] = String(value).split('e');
   return Math.max(0, (mantissa.split('.')[1] ?? '').length - Number(exponent));

@@ -1,10 +1,10 @@
-// The scenes of examples/cli for the page.
+// Reads the scenes of examples/cli for the page.
 import { readdirSync, readFileSync } from 'node:fs';
 import { toml } from './toml.mjs';
 
 const folder = new URL('../../cli/data/scenes/', import.meta.url);
 
-/** @returns {Record<string, object>} by name */
+/** @returns {Record<string, object>} the scenes by name */
 export function scenes() {
   return Object.fromEntries(
     readdirSync(folder)

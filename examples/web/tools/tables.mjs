@@ -1,10 +1,10 @@
-// The published tables that the modules hold, as numbers for package/tables.js.
+// Reads the published tables that the modules hold, as numbers for package/tables.js.
 import { readFileSync, readdirSync } from 'node:fs';
 import { RULES } from '../package/tables.js';
 
 const folder = new URL('../../../tables/', import.meta.url);
 
-/** The tables in a folder whose names end so. @param {string} place @param {string} end @returns {string[]} */
+/** Returns the tables of a folder whose names have this end. @param {string} place @param {string} end @returns {string[]} */
 export const files = (place, end) =>
   readdirSync(new URL(place, folder))
     .filter((file) => file.endsWith(`${end}.csv`))
@@ -28,13 +28,13 @@ export function read(path) {
   };
 }
 
-/** A 1 nm table of an eye, with zeros up to 360..830 nm. */
+/** Returns the 1 nm table of an observer, with zeros up to 360..830 nm. */
 function eye(path) {
   const { nm, columns } = read(path);
   return { rule: RULES.plain, before: nm[0] - 360, behind: 830 - nm.at(-1), columns };
 }
 
-/** Test color samples every 5 nm of 360..830 nm; those of the last file, which are fewer, held on. */
+/** Returns the test color samples every 5 nm of 360..830 nm; the last file has fewer, and its end values are held. */
 function test(path, last) {
   const { nm, columns } = read(path),
     further = read(last);
@@ -44,7 +44,7 @@ function test(path, last) {
   return { rule: RULES.test, before: 0, behind: 0, columns: [...columns, ...held] };
 }
 
-/** Color evaluation samples: of the 1 nm table every fifth. */
+/** Returns every fifth row of the 1 nm table of color evaluation samples. */
 function samples(path) {
   const every = read(path).columns.map((column) => column.filter((_, k) => k % 5 === 0));
   return { rule: RULES.sample, before: 0, behind: 0, columns: every };
@@ -55,7 +55,7 @@ function daylight() {
   return columns.map((column) => ({ rule: RULES.plain, before: 0, behind: 0, columns: [column] }));
 }
 
-/** Column `column` of table `table`, again. */
+/** Makes a table that copies column `column` of table `table`. */
 const copy = (table, column, rows) => ({
   rule: RULES.copy,
   before: 0,
@@ -66,10 +66,10 @@ const copy = (table, column, rows) => ({
 const FIRST_EYE = 'cmf/cie_1931_2deg_xyz_1nm',
   eye1931 = eye(FIRST_EYE);
 
-/** The eye of 1931 alone. */
+/** The table of the CIE 1931 functions alone. */
 export const cie1931 = [eye1931];
 
-/** For the module `light`. V(lambda) is y-bar. */
+/** The tables of the module `light`, in which V(lambda) is a copy of y-bar. */
 export const light = [
   eye1931,
   copy(0, 1, 471),
@@ -79,6 +79,6 @@ export const light = [
   { rule: RULES.lights, before: 0, behind: 0, columns: [[0, 6]] },
   { rule: RULES.daylight, before: 0, behind: 0, columns: [[0, 6, 3, 4, 5]] },
   samples('samples/cie224_ces99_1nm'),
-  // The other observers, as many as there are.
+  // All other observers.
   ...files('cmf', '_xyz_1nm').filter((file) => file !== FIRST_EYE).map(eye),
 ];

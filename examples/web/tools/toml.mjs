@@ -1,4 +1,5 @@
-// As much of TOML as the bundled scenes use: tables, arrays of tables, dotted keys, inline tables, arrays on one line.
+// Reads as much of TOML as the bundled scenes use: tables, arrays of tables, dotted keys, inline tables, and arrays on
+// one line.
 
 /** @param {string} text */
 export function toml(text) {

@@ -1,4 +1,4 @@
-// The sections of a wasm module, and its data with tables and zeros taken out.
+// Takes a WebAssembly module apart into its sections, and takes tables and zeros out of its data.
 
 /** @param {Uint8Array} bytes */
 function reader(bytes, at = 0) {
@@ -86,7 +86,7 @@ export function segments(body) {
   const read = reader(body),
     found = [];
   for (let n = read.leb(); n > 0; n--) {
-    if (read.leb() !== 0 || read.byte() !== 0x41) throw new Error('a data segment that is not active in memory 0');
+    if (read.leb() !== 0 || read.byte() !== 0x41) throw new Error('the module has a data segment that is not active in memory 0');
     const address = read.sleb();
     read.byte();
     const length = read.leb();
@@ -96,7 +96,7 @@ export function segments(body) {
   return found;
 }
 
-/** The same data without its runs of zeros, which memory holds anyway. */
+/** Removes runs of zeros from the data, since memory is zero at the start. */
 export function dataSection(found) {
   const pieces = [];
   for (const { address, bytes } of found) {

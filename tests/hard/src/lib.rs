@@ -1,8 +1,9 @@
-//! What f32 makes of formulas, in plain f32 without std: a host runs it, and so does a device.
+//! Formulas in f32 without std, which run on a host and on devices to compare the crate with textbooks and with
+//! other methods.
 //!
-//! [`cases`] are inputs at which the form of the textbook fails, with that form and the crate's.
-//! [`yardstick`] has published methods of others, to measure the crate against. The binary of this package
-//! compares the cases with f64.
+//! [`cases`] has inputs at which the textbook's form fails, with that form and the crate's. [`yardstick`] has
+//! published methods of others, with which the crate is compared. The binary of this package compares the cases
+//! with f64.
 #![no_std]
 
 pub mod cases;

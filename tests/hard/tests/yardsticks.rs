@@ -1,4 +1,4 @@
-//! The methods of others that nanospectra is measured with do what their authors published.
+//! Tests that the methods of others, with which nanospectra is compared, give what their authors published.
 
 use model::allowed::check;
 use model::cct::planckian_uv;
@@ -49,7 +49,7 @@ fn robertson_gives_what_his_isotherms_give() {
     let mut rows = 0;
     for row in golden.rows() {
         let found = robertson([row.number("u") as f32, row.number("v") as f32]);
-        // Beyond his last isotherm others stay at it.
+        // Beyond Robertson's last isotherm, other implementations return that isotherm.
         if row.number("T_robertson_colour") < 1e6 / 599.99 {
             assert_eq!(found, None, "{}", row.place());
             continue;
@@ -79,7 +79,7 @@ fn ohno_on_1_percent_is_as_far_off_as_elsewhere() {
         let duv_theirs = row.number("Duv_ohno_colour_1.01") - row.number("Duv_exact");
         elsewhere = [elsewhere[0].max(theirs.abs()), elsewhere[1].max(duv_theirs.abs())];
     }
-    // Of another table of 1 %, in f64.
+    // Expected values from another table in steps of 1 %, in f64.
     println!("elsewhere: {:.3} mired, {:.1e}", elsewhere[0], elsewhere[1]);
     mired.tight(golden.len());
     duv.tight(golden.len());
@@ -135,7 +135,7 @@ fn a_white_surface_under_rgb_light_has_the_xyz_of_the_light() {
     assert_eq!(rgb_product([1.0; 3], [0.0; 3]), [0.0; 3]);
 }
 
-/// The largest error of 64 sums of 471 products, in units of 2^-24 of the sum of their sizes.
+/// Returns the largest error of 64 sums of 471 products, in units of 2^-24 of the sum of their sizes.
 fn worst_of(sum: fn(&[f32], &[f32]) -> f32) -> f64 {
     let mut state = 1u32;
     let mut next = || {

@@ -1,4 +1,4 @@
-//! Renews the records, and the figures that are derived from them.
+//! Renews the records and the figures that are derived from them.
 
 use crate::check::{STATIONS, each, harnesses};
 use crate::full::benches;
@@ -8,27 +8,29 @@ use crate::toolchain;
 use crate::workspace::{self, Package};
 use std::fs;
 
-/// The largest errors, which are measured afresh: an error on record only grows.
+/// The record of the largest errors, which is measured from nothing, since a test only raises an error on
+/// record.
 const ERRORS: &str = "tests/data/measured_errors.txt";
 
-/// What the scripts for devices and for the web would skip, and leave on record as it was.
+/// The programs without which the scripts for devices and for the web would skip checks and leave records as
+/// they were.
 const NEEDED: [&str; 4] = ["qemu-system-arm", "qemu-system-riscv32", "node", "npm"];
 
 pub fn run(mut lane: Lane) -> Outcome {
     toolchain::install_all(&mut lane)?;
     let packages = workspace::packages()?;
     lane.run(
-        "bits, instructions and bytes of devices, and what they make of the hard cases",
+        "bits, instructions and bytes of devices, and their results of the hard cases",
         "bash tests/devices.sh --bless --install",
     );
     let missing = |program: &&str| !Shell::new().succeeds(&format!("{program} --version"));
     if let Some(program) = NEEDED.into_iter().find(missing) {
         return Err(format!(
-            "{program} is not installed, so records of it would stay as they were; install it"
+            "{program} is not installed, and records that need it would stay as they were; install it"
         ));
     }
     lane.run(
-        "the cost study, with its chart and the tables of the README and the guides and the guides",
+        "the cost study, with its chart and the tables of the README and the guides",
         "cargo run --release -p nanospectra-cost -- --bless",
     );
     lane.step("the largest errors, the table of hard cases and the table of Ohno's method", |shell| {
@@ -37,25 +39,25 @@ pub fn run(mut lane: Lane) -> Outcome {
         let write = |text: &str| fs::write(root().join(ERRORS), text).map_err(|e| format!("{ERRORS}: {e}"));
         write(&head)?;
         let measured = errors(&shell.again().with("NANOSPECTRA_BLESS", "1"), &packages);
-        // What is measured in part is no record.
+        // If only a part was measured, the old record is kept.
         if measured.is_err() { write(&before).and(measured) } else { measured }
     });
     lane.step("the sizes of the web package", |shell| {
         shell.again().with("NANOSPECTRA_BLESS", "1").run("bash examples/web/test.sh")
     });
-    // Last, since these figures are taken from all the records.
+    // This comes last, since these figures are taken from all the records.
     lane.step("figures in the documentation", |shell| {
         let shell = shell.again().with("NANOSPECTRA_BLESS", "1");
         shell.filtered("cargo test --release -p nanospectra --test promises doc_claims")
     });
-    lane.step("what has changed", |shell| {
+    lane.step("the changes", |shell| {
         shell.run("git --no-pager diff --stat")?;
         shell.run("git --no-pager diff --unified=0 -- . :!*.svg :!*.json")
     });
     lane.report()
 }
 
-/// All the tests that measure an error.
+/// Runs all tests that measure an error.
 fn errors(shell: &Shell, packages: &[Package]) -> Outcome {
     each(packages, shell, |name| format!("cargo test --release -p {name} -- --skip doc_claims"))?;
     shell.run(&format!("cargo test --release -p nanospectra --all-features {}", harnesses(&STATIONS)))?;

@@ -1,4 +1,4 @@
-//! What every change is checked with.
+//! The checks of every change.
 
 use crate::docs;
 use crate::lane::Lane;
@@ -6,7 +6,8 @@ use crate::shell::{Outcome, Shell};
 use crate::toolchain;
 use crate::workspace::{self, APART, Package};
 
-/// The harnesses of the library but `promises`, which is slow: it builds programs and counts instructions.
+/// The test harnesses of the library, without `promises`, which is slow because it builds programs and counts
+/// instructions.
 pub const STATIONS: [&str; 7] = ["spectrum", "color", "matter", "path", "radiometry", "sensor", "upsample"];
 
 pub fn run(mut lane: Lane) -> Outcome {
@@ -47,13 +48,13 @@ pub fn harnesses(stations: &[&str]) -> String {
 pub fn format(lane: &mut Lane) {
     lane.step("format", |shell| {
         shell.run("cargo fmt --all --check")?;
-        // (`cargo fmt --all` does not reach these.)
+        // These are workspaces of their own, which `cargo fmt --all` does not reach.
         APART.iter().try_for_each(|folder| shell.again().at(folder).run("cargo fmt --check"))
     });
 }
 
 pub fn walls(lane: &mut Lane) {
-    lane.step("walls between the packages", |shell| {
+    lane.step("dependencies between the packages", |shell| {
         workspace::no_module_from_elsewhere(shell)?;
         workspace::few_dependencies(shell)?;
         workspace::one_oldest_compiler(shell)
@@ -74,7 +75,7 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
             shell.run(&format!("cargo doc --no-deps --all-features -p {name}"))
         };
         page("nanospectra", "-D warnings")?;
-        // The pages of the others are for those who work on them.
+        // The documentation of the other packages is for their developers.
         let others = packages.iter().filter(|package| package.has_library && package.name != "nanospectra");
         others.map(|package| &package.name).try_for_each(|name| {
             page(name, "-D warnings --document-private-items -A rustdoc::private_intra_doc_links")
@@ -84,7 +85,7 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
     lane.step("documentation as docs.rs builds it", docs::labels::check);
 }
 
-/// Runs a command for every package by itself, and for the others too if it fails for one.
+/// Runs a command for every package by itself. If it fails for one, the others still run.
 pub fn each<'a>(
     packages: impl IntoIterator<Item = &'a Package>,
     shell: &Shell,

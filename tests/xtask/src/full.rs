@@ -1,4 +1,4 @@
-//! Everything that guards a promise.
+//! The tests of everything that is promised.
 
 use crate::check::{STATIONS, documentation, each, format, harnesses, lints, walls};
 use crate::lane::Lane;
@@ -6,18 +6,19 @@ use crate::shell::{Outcome, Shell};
 use crate::toolchain::{self, BOARDS, OLDEST, WASM};
 use crate::workspace::{self, APART, Package};
 
-/// Of the library, each of which must build alone.
+/// The features of the library, each of which must build by itself.
 const FEATURES: [&str; 6] = ["libm", "std", "simd", "micromath", "heapless", "defmt"];
 
-/// What goes to crates.io: the library first, since the program depends on it.
+/// The packages for crates.io. The library comes first, since the program depends on it.
 const PUBLISHED: [&str; 2] = ["nanospectra", "nanospectra-cli"];
 
+/// The texts of licenses that each of them must contain.
 const LICENSES: [&str; 3] = ["LICENSE-APACHE", "LICENSE-CC-BY-SA-4.0", "LICENSE-MIT"];
 
 pub fn run(lane: Lane) -> Outcome {
-    // Nobody steps through these builds: a quarter less to compile.
+    // Nobody debugs these builds, and without debug information they compile a quarter less.
     let mut lane = lane.with("CARGO_PROFILE_DEV_DEBUG", "0");
-    println!("== what must be installed");
+    println!("== installing what is missing");
     let targets = toolchain::install_all(&mut lane)?;
     let packages = workspace::packages()?;
     format(&mut lane);
@@ -26,7 +27,7 @@ pub fn run(lane: Lane) -> Outcome {
     lane.report()
 }
 
-/// What is tried on this machine with the default target.
+/// Runs the tests for the target of this machine.
 fn tests(lane: &mut Lane, packages: &[Package]) {
     lints(lane, packages);
     documentation(lane, packages);
@@ -55,7 +56,7 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
     });
     lane.step("the benches run and check their results", |shell| benches(shell, packages));
     lane.run(
-        "what accuracy costs: every figure on record, and the tables of the README and the guides",
+        "the cost study: every figure on record, and the tables of the README and the guides",
         "cargo run --release -p nanospectra-cost -- --quick --check",
     );
     lane.step("the examples and the first command of the README run", |shell| {
@@ -66,16 +67,17 @@ fn tests(lane: &mut Lane, packages: &[Package]) {
     });
     lane.step("the packages are complete", |shell| {
         PUBLISHED.iter().try_for_each(|name| has_licenses(shell, name))?;
-        // Cargo unpacks and builds the first for the second once for each version: what it kept of an earlier
-        // run is stale.
+        // Cargo unpacks and builds the first package for the second only once per version, so an earlier run
+        // would leave it stale.
         shell.bash(r#"rm -rf target/packaged "${CARGO_HOME:-$HOME/.cargo}"/registry/{src,cache}/*/nanospectra-[0-9]*"#)?;
-        // Together, since the second depends on the first, which no registry has in this version.
+        // They are packed together, since the second depends on the first, which no registry has in this
+        // version.
         let shell = shell.again().with("CARGO_TARGET_DIR", "target/packaged");
         shell.run(&format!("cargo package -p {} --allow-dirty", PUBLISHED.join(" -p ")))
     });
 }
 
-/// The texts of the licenses go with a package: those of the code, and that of the CIE's tables.
+/// Checks that a package has the texts of its licenses, those of the code and that of the CIE's tables.
 fn has_licenses(shell: &Shell, package: &str) -> Outcome {
     let files = shell.output(&format!("cargo package --list --allow-dirty -p {package}"))?;
     let lacks = |license: &&str| !files.lines().any(|file| file == *license);
@@ -85,7 +87,7 @@ fn has_licenses(shell: &Shell, package: &str) -> Outcome {
     }
 }
 
-/// Runs every bench once, which compares its results with those of peers.
+/// Runs every bench once, which compares the results with those of other crates.
 pub fn benches(shell: &Shell, packages: &[Package]) -> Outcome {
     packages.iter().filter(|package| !package.benches.is_empty()).try_for_each(|package| {
         let benches: String = package.benches.iter().map(|name| format!("--bench {name} ")).collect();
@@ -93,7 +95,7 @@ pub fn benches(shell: &Shell, packages: &[Package]) -> Outcome {
     })
 }
 
-/// What other compilers and other targets need.
+/// Runs the tests for other compilers and other targets.
 fn beside(lane: &mut Lane, targets: &[&str], packages: &[Package]) {
     lane.step("lints with each feature, none and all; with none and all on other targets", |shell| {
         lints_with_features(shell, targets)
@@ -101,7 +103,7 @@ fn beside(lane: &mut Lane, targets: &[&str], packages: &[Package]) {
     lane.step("lints of the packages for devices and for the web", |shell| lints_apart(shell, targets));
     lane.step("the oldest compiler builds everything", |shell| oldest_compiler(shell, packages));
     lane.step("Miri interprets the kernel for x86-64", miri);
-    lane.run("devices: the same bits, instructions and bytes", "bash tests/devices.sh --install");
+    lane.run("devices: bits, instructions and bytes", "bash tests/devices.sh --install");
     lane.run("the web: the package in node, the page in a browser", "bash examples/web/test.sh");
 }
 
@@ -113,7 +115,7 @@ fn lints_with_features(shell: &Shell, targets: &[&str]) -> Outcome {
             "cargo clippy -p nanospectra {target} --no-default-features {features} -- -D warnings"
         ))
     };
-    // (The default is what the packages for devices and for the web are built with.)
+    // The default features are not tried here, since the packages for devices and for the web use them.
     for feature in FEATURES {
         lint("", &format!("--features {feature}"))?;
     }
@@ -142,7 +144,8 @@ fn lints_apart(shell: &Shell, targets: &[&str]) -> Outcome {
 }
 
 fn oldest_compiler(shell: &Shell, packages: &[Package]) -> Outcome {
-    let without = format!("Rust {OLDEST} cannot be installed: it was not tried whether it builds everything");
+    let without =
+        format!("Rust {OLDEST} cannot be installed, so it was not tried whether it builds everything");
     if !toolchain::has(shell, &format!("cargo +{OLDEST} --version"), OLDEST, &without) {
         return Ok(());
     }
@@ -156,22 +159,21 @@ fn oldest_compiler(shell: &Shell, packages: &[Package]) -> Outcome {
     decode.run(&format!("{check} --all-targets"))?;
     if !shell.succeeds(&format!("rustup target add --toolchain {OLDEST} {WASM}")) {
         shell.say(&format!(
-            "SKIPPED  {WASM} cannot be installed for Rust {OLDEST}: the web package was not tried"
+            "SKIPPED  {WASM} cannot be installed for Rust {OLDEST}, so the web package was not tried"
         ));
         return Ok(());
     }
     web.run(&check)
 }
 
-/// The order of additions with four lanes and with eight, and with it every load of the kernel.
+/// Checks the order of additions with four lanes and with eight, which executes every load of the kernel.
 fn miri(shell: &Shell) -> Outcome {
     if !shell.output("rustc -vV")?.contains("host: x86_64") {
         shell.say("SKIPPED  Miri: this is not an x86-64, so there is no unsafe code in the kernel");
         return Ok(());
     }
     let components = "nightly --component miri --component rust-src";
-    let without =
-        "a nightly compiler with Miri cannot be installed: the unsafe code of the kernel was not interpreted";
+    let without = "a nightly compiler with Miri cannot be installed, so the unsafe code of the kernel was not interpreted";
     if !toolchain::has(shell, "cargo +nightly miri --version", components, without) {
         return Ok(());
     }

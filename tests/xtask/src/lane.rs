@@ -1,10 +1,10 @@
-//! Steps that run one after the other, a second lane of them beside the first, and the report at the end.
+//! Runs steps one after the other, optionally a second lane of them at the same time, and reports at the end.
 
 use crate::shell::{Outcome, Shell, root};
 use std::fs::{self, File};
 use std::time::{Duration, Instant};
 
-/// Steps that run one after the other. If one fails, the others run all the same.
+/// Steps that run one after the other. If one fails, the others still run.
 pub struct Lane {
     only: Option<String>,
     start: Instant,
@@ -16,7 +16,7 @@ pub struct Lane {
 }
 
 impl Lane {
-    /// A lane that prints to the terminal, of all steps or of those whose names contain a text.
+    /// Makes a lane that prints to the terminal and runs all steps, or those whose names contain a text.
     pub fn new(only: Option<String>) -> Self {
         let (took, failed, skipped) = Default::default();
         Lane { only, start: Instant::now(), beside: false, shell: Shell::new(), took, failed, skipped }
@@ -28,7 +28,7 @@ impl Lane {
         self
     }
 
-    /// Runs a step, unless it is not asked for.
+    /// Runs a step, unless `only` excludes it.
     pub fn step(&mut self, name: &str, task: impl FnOnce(&Shell) -> Outcome) {
         if self.only.as_ref().is_some_and(|only| !name.contains(only.as_str())) {
             return;
@@ -52,13 +52,13 @@ impl Lane {
         self.step(name, |shell| shell.run(line));
     }
 
-    /// Notes what is not done here, and why.
+    /// Notes a check that cannot be made here, and why.
     pub fn skip(&mut self, what: impl Into<String>) {
         self.skipped.push(what.into());
     }
 
-    /// Runs another lane beside this one, since most steps leave a core idle now and then. The other writes
-    /// to a file in `target`, which is printed when both are through.
+    /// Runs another lane at the same time as this one, since most steps leave a core idle now and then. The
+    /// other lane writes to a file in `target`, which is printed when both have finished.
     pub fn beside(&mut self, other: impl FnOnce(&mut Lane) + Send, this: impl FnOnce(&mut Lane)) -> Outcome {
         fs::create_dir_all(root().join("target")).map_err(|error| format!("target: {error}"))?;
         let path = root().join("target/xtask-beside.log");
@@ -75,8 +75,8 @@ impl Lane {
         });
         let log = fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;
         let log = String::from_utf8_lossy(&log);
-        println!("\n== what ran beside\n{log}");
-        // The scripts for devices and for the web say themselves what they could not do.
+        println!("\n== output of the steps that ran at the same time\n{log}");
+        // The scripts for devices and for the web report themselves what they skipped.
         let said = log.lines().filter_map(|line| line.strip_prefix("SKIPPED "));
         self.skipped.extend(said.map(|what| what.trim().to_owned()));
         self.took.append(&mut beside.took);
@@ -85,12 +85,12 @@ impl Lane {
         Ok(())
     }
 
-    /// Prints what took how long, what was skipped and what failed.
+    /// Prints how long the steps took, what was skipped and what failed.
     pub fn report(mut self) -> Outcome {
         if self.took.is_empty() {
-            return Err("no step has such a name".to_owned());
+            return Err("no step has this text in its name; give another one to --only".to_owned());
         }
-        println!("\n== what took how long, the longest first");
+        println!("\n== the time that each step took, the longest first");
         self.took.sort_by_key(|(_, took)| std::cmp::Reverse(*took));
         for (name, took) in &self.took {
             println!("{:6} s  {name}", took.as_secs());
@@ -112,10 +112,10 @@ impl Lane {
         Ok(())
     }
 
-    /// A line about a step: always to the terminal, and to the log of this lane if it has one.
+    /// Prints a line about a step to the terminal, and to the log of this lane if it has one.
     fn say(&self, line: &str) {
         if self.beside {
-            println!("{}", line.trim_start().replace("==", "== beside:"));
+            println!("{}", line.trim_start().replace("==", "== second lane:"));
         }
         self.shell.say(line);
     }

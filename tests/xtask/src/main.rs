@@ -1,5 +1,5 @@
-//! The task runner: `cargo xtask check` while you work, `full` before a change is merged, `bless` to renew
-//! records.
+//! The task runner. Call `cargo xtask check` while you work, `full` before a change is merged, and `bless` to
+//! renew records.
 
 mod bless;
 mod check;
@@ -15,39 +15,40 @@ use lane::Lane;
 use shell::Shell;
 use std::process::ExitCode;
 
-/// Checks nanospectra, proves everything it promises, and renews its records.
+/// Checks changes to nanospectra, tests everything that it promises, and renews its records.
 ///
-/// Every task names one package at a time. Packages that are built together share their features, and the
-/// tests of one would then see the features that another asks for.
+/// Every task builds one package at a time. Packages that are built together share their features, so the
+/// tests of one would see the features that another asks for.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 enum Task {
-    /// Check format, lints, fast tests and documentation: for every change, in about three minutes
+    /// Check format, lints, fast tests and documentation, as before every commit, in about three minutes
     ///
-    /// It installs nothing and needs no root. If something is missing it says what to type.
+    /// It installs nothing and needs no root. If the compiler is missing, it says what to type.
     Check(Steps),
     /// Run the tests of the library in the dev profile, or those of some stations
     ///
     /// A station is a file tests/STATION/main.rs, such as color, matter or sensor.
     Test {
-        /// The stations; all of them if none is named
+        /// The stations to test, or all of them if none is named
         station: Vec<String>,
-        /// What the test harness is given, such as a part of a test's name
+        /// The arguments of the test harness, such as a part of a test's name
         #[arg(last = true)]
         harness: Vec<String>,
     },
-    /// Prove everything that is promised: what CI runs, in about half an hour on two cores
+    /// Test everything that is promised, as CI does, in about half an hour on two cores
     ///
-    /// It installs what it needs: compilers and targets by rustup; valgrind, QEMU and Chromium by apt-get
-    /// (with sudo, unless it runs as root). What cannot be installed is listed at the end as SKIPPED. All
-    /// steps run even if one fails, and then the exit code is 1.
+    /// It installs what it needs: compilers and targets by rustup, and valgrind, QEMU and Chromium by apt-get
+    /// (with sudo, unless it runs as root). Checks that need something which cannot be installed are listed
+    /// at the end as SKIPPED. All steps run even if one fails, and then the exit code is 1.
     Full(Steps),
-    /// Renew every record and every figure that is derived from one, then show what has changed
+    /// Renew every record and every figure that is derived from one, and show the changes
     ///
     /// The records are the bits, instructions and bytes of devices, the largest errors of the tests, the hard
-    /// cases, the cost study and the sizes of the web package; figures in the README and in documentation
-    /// follow them. The tables of tables/upsample are not records but a part of the library. To make them
-    /// again, run `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables`.
+    /// cases, the cost study and the sizes of the web package. The figures in the README and in the
+    /// documentation are taken from them. The tables in tables/upsample are no records but a part of the
+    /// library. To compute them again, run `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test
+    /// upsample tables`.
     Bless(Steps),
 }
 

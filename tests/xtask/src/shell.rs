@@ -1,4 +1,4 @@
-//! Commands: where they run, with which environment, and where their output goes.
+//! Runs commands in a folder, with an environment, and with their output to the terminal or a log.
 
 use crate::toolchain;
 use std::env;
@@ -8,10 +8,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Whether it worked, or why not.
+/// The result of a task, or the reason why it failed.
 pub type Outcome<T = ()> = Result<T, String>;
 
-/// The root of the repository.
+/// Returns the root of the repository.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../..")
@@ -29,10 +29,11 @@ pub struct Shell {
 
 impl Shell {
     pub fn new() -> Self {
-        // The same random cases every time: a failure is the change's own. Another seed looks elsewhere.
+        // Random tests draw the same cases every time, so that a failure is due to the change. Another seed
+        // tries others.
         let seed = env::var_os("PROPTEST_RNG_SEED").unwrap_or_else(|| "1".into());
         let shell = Self::default().with("RUSTUP_TOOLCHAIN", toolchain::OF_RECORDS);
-        // What is installed is said: rustup must not do it unasked.
+        // Every installation is printed, so rustup must not install anything by itself.
         shell.with("RUSTUP_AUTO_INSTALL", "0").with("PROPTEST_RNG_SEED", seed)
     }
 
@@ -42,18 +43,18 @@ impl Shell {
         self
     }
 
-    /// The same, with an environment variable set.
+    /// Sets an environment variable for the commands.
     pub fn with(mut self, name: &'static str, value: impl Into<OsString>) -> Self {
         self.variables.push((name, value.into()));
         self
     }
 
-    /// The same, in a folder below the root.
+    /// Runs the commands in a folder below the root.
     pub fn at(self, folder: &'static str) -> Self {
         Shell { folder, ..self }
     }
 
-    /// Another of the same kind, to be changed.
+    /// Makes a copy, whose settings can be changed.
     pub fn again(&self) -> Self {
         Shell { folder: self.folder, variables: self.variables.clone(), log: self.log() }
     }
@@ -70,7 +71,7 @@ impl Shell {
         }
     }
 
-    /// Prints a command with the variables that it is given beyond those of every command.
+    /// Prints a command with the environment variables that not all commands have.
     fn announce(&self, line: &str) {
         let shared = Self::new();
         let own =
@@ -92,17 +93,17 @@ impl Shell {
         self.finish(self.command(["bash", "-c", line]), line)
     }
 
-    /// Runs those tests that a filter lets through. None would pass unnoticed, so that is a failure.
+    /// Runs the tests that a filter selects, and fails if it selects none.
     pub fn filtered(&self, line: &str) -> Outcome {
         self.announce(line);
         let text = self.output(line)?;
         self.say(&text);
         let ran =
             text.lines().any(|line| line.starts_with("test result: ok.") && !line.contains(" 0 passed"));
-        if ran { Ok(()) } else { Err(format!("`{line}` runs no test")) }
+        if ran { Ok(()) } else { Err(format!("`{line}` ran no test; correct the filter")) }
     }
 
-    /// What a program prints to standard output.
+    /// Runs a program and returns what it prints to standard output.
     pub fn output(&self, line: &str) -> Outcome<String> {
         let output = self.command(line.split_whitespace()).stderr(Stdio::inherit()).output();
         let output = output.map_err(|error| format!("`{line}` does not start: {error}"))?;
@@ -110,7 +111,7 @@ impl Shell {
         if output.status.success() { Ok(text) } else { Err(format!("`{line}` failed:\n{text}")) }
     }
 
-    /// Whether a program succeeds, in silence.
+    /// Returns whether a program succeeds, without its output.
     pub fn succeeds(&self, line: &str) -> bool {
         let mut command = self.command(line.split_whitespace());
         command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())

@@ -1,24 +1,24 @@
-//! The packages, and the walls between them.
+//! The packages of the repository, and the rules about what one may take from another.
 
 use crate::shell::{Outcome, Shell, root};
 use crate::toolchain::{BOARDS, OLDEST};
 use serde_json::Value;
 
-/// What is built in workspaces of its own.
+/// The folders that are workspaces of their own.
 pub const APART: [&str; 3] = ["examples/firmware", "examples/firmware/decode", "examples/web"];
 
-/// What the tests of the library must not make a user of the repository compile.
+/// The packages that tests of the library must not depend on, because they take long to compile.
 const PEERS: [&str; 5] = ["nalgebra", "criterion", "colorimetry", "palette", "rgb2spec"];
 
 /// A package of the workspace at the root.
 pub struct Package {
     pub name: String,
-    /// Whether there is a library to document and to look at with other features.
+    /// Whether the package has a library, which is documented.
     pub has_library: bool,
     pub benches: Vec<String>,
 }
 
-/// The packages of the workspace at the root, the library first.
+/// Returns the packages of the workspace at the root, with the library first.
 pub fn packages() -> Outcome<Vec<Package>> {
     let mut packages: Vec<Package> = metadata("")?.iter().map(package).collect();
     packages.sort_by_key(|package| package.name.clone());
@@ -48,7 +48,7 @@ fn text(value: &Value) -> String {
     value.as_str().unwrap_or_default().to_owned()
 }
 
-/// Names of the small examples, `examples/*.rs`.
+/// Returns the names of the small examples, `examples/*.rs`.
 pub fn examples() -> Outcome<Vec<String>> {
     let folder = root().join("examples");
     let entries = std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -60,38 +60,43 @@ pub fn examples() -> Outcome<Vec<String>> {
     Ok(names)
 }
 
-/// No module is taken out of another package's folder.
+/// Checks that no module is taken from the folder of another package.
 pub fn no_module_from_elsewhere(shell: &Shell) -> Outcome {
-    // (Of git grep, 1 is the exit code for nothing found.)
+    // The exit code of git grep is 1 if it finds nothing.
     shell.bash(r##"git grep --untracked -nE '#\[path *= *"\.\./' -- '*.rs'; [[ $? == 1 ]]"##)
 }
 
-/// The library's tests do without its peers, and bare metal without everything that tests need.
+/// Checks that the tests of the library do not depend on other crates of its kind, and that on bare metal
+/// they depend on nothing.
 pub fn few_dependencies(shell: &Shell) -> Outcome {
     let tree = shell.output("cargo tree -p nanospectra -e normal,dev --depth 1 --prefix none")?;
     let name = |line: &str| line.split(' ').next().unwrap_or_default().to_owned();
     if let Some(peer) = tree.lines().map(name).find(|name| PEERS.contains(&name.as_str())) {
         return Err(format!(
-            "nanospectra depends on {peer}, which belongs into the package nanospectra-benches"
+            "the tests of nanospectra depend on {peer}; move that to the package nanospectra-benches"
         ));
     }
     for target in BOARDS {
         let line = format!("cargo tree -p nanospectra -e dev --depth 1 --prefix none --target {target}");
         if let Some(other) = shell.output(&line)?.lines().map(name).find(|name| name != "nanospectra") {
-            return Err(format!("for {target} the tests of nanospectra depend on {other}, which needs std"));
+            return Err(format!(
+                "for {target} the tests of nanospectra depend on {other}, which needs std; remove it"
+            ));
         }
     }
     Ok(())
 }
 
-/// Every package names the oldest compiler that is tried.
+/// Checks that every package names the oldest compiler that is tried.
 pub fn one_oldest_compiler(_: &Shell) -> Outcome {
     for folder in [""].into_iter().chain(APART) {
         for package in metadata(folder)? {
             let version = text(&package["rust_version"]);
             if OLDEST.strip_suffix(".0") != Some(&version) {
                 let place = text(&package["manifest_path"]);
-                return Err(format!("{place}: rust-version is '{version}', and {OLDEST} is what is tried"));
+                return Err(format!(
+                    "{place}: rust-version is '{version}', but {OLDEST} is the oldest that is tried"
+                ));
             }
         }
     }

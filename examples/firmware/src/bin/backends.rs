@@ -1,8 +1,7 @@
-//! Prints the instructions that each function of each math backend takes, and what is made of one, one
-//! `math-function-backend count` per line.
+//! Prints the instructions of each function of each math backend, and of calls that use them, as lines
+//! `math-function-backend count`. They are counted as in `count`.
 //!
-//! An image of its own beside `count`: `Libm` runs in soft f64, and that one must have none. Counted as
-//! there.
+//! This is an image of its own because `Libm` computes in software f64, which `count` must not contain.
 #![no_std]
 #![no_main]
 
@@ -22,7 +21,7 @@ fn main() -> ! {
     backend::<Fast>(&clock, "fast");
     backend::<Libm>(&clock, "libm");
     backend::<Micromath>(&clock, "micromath");
-    // These take a square root, which is the core's own or one in integers, and no backend.
+    // These take no backend: they only need a square root, which the core has or which is taken in integers.
     let fresnel =
         clock.longest(|cos, shares| *shares = Some(Dielectric::new(1.5).fresnel(*cos)), &[1.0, 0.5, 0.1]);
     let sellmeier = clock.longest(|nm, index| *index = N_BK7.index(*nm), &[400.0, 589.3, 700.0]);
@@ -31,7 +30,8 @@ fn main() -> ! {
     process::exit(0)
 }
 
-/// Everyday numbers: large and small, of both signs where the function has both.
+/// Counts each function of a backend over large and small numbers, of both signs where the function takes
+/// both.
 fn backend<M: Math>(clock: &Clock, name: &str) {
     let all = [2.0, 1e-30, 1e30, 0.18, 1.0];
     let signed = [2.0, -1e-30, 1e30, 0.18, -20.0];
@@ -40,7 +40,7 @@ fn backend<M: Math>(clock: &Clock, name: &str) {
     let logs = [0.4, -0.7, 5.0, -20.0, 80.0];
     let points = [[1.0, 2.0], [-2.0, 1.0], [3.0, -1.0], [-1.0, -4.0], [0.0, 1.0]];
     let colors = [[40.0, 50.0, 45.0], [0.3, 0.4, 0.2], [20.0, 10.0, 90.0], [40.0, 20.0, 0.5]].map(Xyz::from);
-    // Nm and K: the blue and the red of a lamp, and where e^x nearly overflows.
+    // Pairs of nm and K: the blue and the red of a lamp, and a pair where e^x nearly overflows.
     let glowing = [[450.0, 2856.0], [700.0, 6500.0], [400.0, 430.0]];
     let rgbs = [[0.002, 0.18, 1.0], [0.5, 0.5, 0.5]].map(|[r, g, b]| Rgb::<Srgb>::new(r, g, b));
     let count = |function, f, inputs: &[f32]| of_backend(clock, function, name, f, inputs);

@@ -1,5 +1,5 @@
-//! Prints one hash for each group of results. On a host (`cargo run --bin bits`) it prints what devices must
-//! print.
+//! Prints one hash for each group of results. On a host (`cargo run --bin bits`) it prints the hashes that
+//! every device must print, too.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use nanospectra_firmware::bits;

@@ -1,7 +1,8 @@
-//! Prints the instructions that public calls take, one `name count` per line; exact and repeatable in QEMU.
+//! Prints the instructions of public calls as lines `name count`. In QEMU they are exact and repeatable.
 //!
-//! Inputs come from memory and results go to memory, so the numbers include loads and stores, and exclude the
-//! call (see [`Clock::count`]). Where the path depends on the data, the longest of several inputs counts.
+//! Inputs come from memory and results go to memory, so the counts include loads and stores, but not the call
+//! itself (see [`Clock::count`]). Where the count depends on the data, the highest of several inputs is
+//! printed.
 #![no_std]
 #![no_main]
 
@@ -25,13 +26,13 @@ fn main() -> ! {
     each!(3 8 12 16 20 24 31 36 40 60 81 95);
     count(&clock, "xyz-471", |light, xyz| *xyz = CIE_1931.sees(light), &[D65.fine()]);
 
-    // A pale, a dark, a strong blue and a strong red: both sides of Lab's knee.
+    // A pale color, a dark one, a strong blue and a strong red, on both sides of the knee of Lab.
     let colors = [[40.0, 50.0, 45.0], [0.3, 0.4, 0.2], [20.0, 10.0, 90.0], [40.0, 20.0, 0.5]].map(Xyz::from);
     count(&clock, "xy", |xyz, out| *out = xyz.xy(), &colors);
     count(&clock, "uv1976", |xyz, out| *out = xyz.uv1976(), &colors);
     count(&clock, "lab", |xyz, out| *out = xyz.lab(WHITE), &colors);
 
-    // Blues (Sharma's first pair), opposite hues (his tenth), a gray beside a color.
+    // Two blues (Sharma's first pair), opposite hues (his tenth), two greens, and a gray beside a color.
     let pairs = [
         [[50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485]],
         [[50.0, -0.001, 2.49], [50.0, 0.0011, -2.49]],
@@ -41,7 +42,8 @@ fn main() -> ! {
     .map(|pair| pair.map(|[l, a, b]| Lab { l, a, b }));
     count(&clock, "ciede2000", |[x, y], out| *out = ciede2000(*x, *y), &pairs);
 
-    // Candle, incandescent, fluorescent, daylight, overcast sky, clear sky; green and pink of the locus.
+    // A candle, an incandescent and a fluorescent lamp, daylight, an overcast sky, a clear sky, and points on
+    // the green and on the pink side of the locus.
     let lights = [
         [0.5268, 0.4133],
         [0.4476, 0.4074],
@@ -64,7 +66,7 @@ fn count<A, R: Default>(clock: &Clock, name: &str, f: fn(&A, &mut R), inputs: &[
     println!("{name} {}", clock.longest(f, inputs));
 }
 
-/// A surface of N bands to XYZ, the lamp folded into the eye.
+/// Counts the way from a surface of N bands to XYZ, with the lamp folded into the observer.
 fn folded<const N: usize>(clock: &Clock) {
     println!("xyz-{N} {}", clock.count(xyz::<N>, &Reflectance::flat(0.5), &mut [0.0; 3]));
 }

@@ -1,7 +1,7 @@
-//! 8 counts of a chip to XYZ, CCT, Duv and Lab, saturation checked, and nothing else.
+//! Turns 8 counts of a chip into XYZ, CCT, Duv and Lab, checks for saturation, and does nothing else.
 //!
-//! `tests/devices.sh` looks into this image as it does into `fold16`: no tables but 3 * 8 weights and the
-//! locus, no `core::fmt`, no soft f64, no allocator. That it cannot panic is proved here, by linking.
+//! `tests/devices.sh` checks, as for `fold16`, that this image has no tables except 3 * 8 weights and the
+//! Planckian locus, no `core::fmt`, no software f64 and no allocator. Linking it proves that it cannot panic.
 #![no_std]
 #![no_main]
 
@@ -11,7 +11,7 @@ use core::hint::black_box;
 use nanospectra::sensor::ReadingError;
 use nanospectra_firmware::pipeline::{Color, measure};
 
-/// What the bus left in memory.
+/// The counts that the bus has left in memory.
 static COUNTS: [u16; 8] = [1000; 8];
 
 #[nanospectra_firmware::entry]
@@ -21,8 +21,8 @@ fn main() -> ! {
     }
 }
 
-/// As an instrument calls it: apart from this loop, which would keep its constants in registers between
-/// readings.
+/// Takes one reading, as an instrument does. It is a function of its own because the loop in `main` would
+/// keep constants in registers from one reading to the next.
 #[inline(never)]
 fn reading(counts: &[u16; 8]) -> Result<Color, ReadingError> {
     measure(counts)

@@ -1,7 +1,8 @@
-//! 8 counts of a chip to XYZ, lux, CCT and Duv in integers, saturation checked, and nothing else.
+//! Turns 8 counts of a chip into XYZ, lux, CCT and Duv in integers, checks for saturation, and does nothing
+//! else.
 //!
-//! `tests/devices.sh` looks into this image as it does into `fold16`: no tables but 3 * 8 weights and the
-//! locus, no `core::fmt`, no soft f64, no allocator. That it cannot panic is proved here, by linking.
+//! `tests/devices.sh` checks, as for `fold16`, that this image has no tables except 3 * 8 weights and the
+//! Planckian locus, no `core::fmt`, no software f64 and no allocator. Linking it proves that it cannot panic.
 #![no_std]
 #![no_main]
 
@@ -10,7 +11,7 @@ mod without_panic;
 use core::hint::black_box;
 use nanospectra_firmware::pipeline::measure_fixed;
 
-/// What the bus left in memory.
+/// The counts that the bus has left in memory.
 static COUNTS: [u16; 8] = [1000; 8];
 
 #[nanospectra_firmware::entry]

@@ -1,7 +1,8 @@
-//! A published driver on a bus: bytes to counts by the crate `as7341`, counts to color by this one.
+//! Reads a sensor by a published driver: the crate `as7341` turns bytes on a bus into counts, and this crate
+//! turns the counts into color.
 //!
-//! The bus is a mock with an AS7341 on it that stands under an LED; on a board, your HAL's I2C and delay take
-//! its place. Runs on a host (`cargo run --bin driver`) and on boards (`--target <triple>`).
+//! The bus is simulated, with an AS7341 under an LED. On a board, the I2C and the delay of your HAL take its
+//! place. The image runs on a host (`cargo run --bin driver`) and on boards (`--target <triple>`).
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use as7341::{As7341, Gain};
@@ -25,10 +26,10 @@ fn main() -> ! {
     process::exit(read())
 }
 
-/// F1 to F8, Clear and NIR under LED-B1 at 500 lx.
+/// The counts of F1 to F8, Clear and NIR under LED-B1 at 500 lx.
 const DIODES: [u16; 10] = [106, 1023, 1182, 2001, 3619, 5224, 6082, 3066, 6231, 240];
 
-/// One reading; the exit code.
+/// Takes one reading and returns the exit code.
 fn read() -> i32 {
     let mut chip = As7341::new(As7341Registers::counting(DIODES), NoDelay);
     let (gain, atime, astep) = (Gain::X16, 29, 599);
@@ -42,7 +43,7 @@ fn read() -> i32 {
         println!("the chip does not answer");
         return 1;
     };
-    // The first eight of ten: F1 to F8.
+    // The first eight of the ten counts are those of F1 to F8.
     let [counts @ .., _clear, _nir] = reading.as_array();
     let exposure = chip::as7341::exposure(gain.multiplier(), atime, astep);
 
@@ -53,6 +54,6 @@ fn read() -> i32 {
         return 1;
     };
     println!("counts {counts:?}: {cct_k:.0} K, Duv {duv:.4}");
-    // LED-B1 has 2735 K; so says `nanospectra measure`, from its whole spectrum.
+    // By `nanospectra measure`, which uses the whole spectrum, LED-B1 has 2735 K.
     i32::from((cct_k - 2735.0).abs() > 2.0)
 }

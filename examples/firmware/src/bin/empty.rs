@@ -1,5 +1,5 @@
-//! A program that takes 16 bands and makes three numbers of them, without knowing any color: what `fold16`
-//! is compared with to find the price of XYZ in bytes.
+//! A program that takes 16 bands and makes three numbers of them without computing a color. It is compared
+//! with `fold16` to find how many bytes XYZ takes.
 #![no_std]
 #![no_main]
 

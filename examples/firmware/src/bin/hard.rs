@@ -1,6 +1,5 @@
-//! Prints the bits of every hard case, of the naive form and of the crate's: `row input naive ours`. Where
-//! there is an FPU all of it follows again, after a line `flush-to-zero`, as it is where subnormal numbers
-//! count as zero.
+//! Prints the bits of the results of every hard case, as lines `row input naive ours`. With an FPU, a line
+//! `flush-to-zero` follows, and then the same lines again with subnormal numbers flushed to zero.
 #![no_std]
 #![no_main]
 
@@ -21,16 +20,17 @@ fn main() -> ! {
     process::exit(0)
 }
 
-/// Off at reset.
+/// Makes the FPU flush subnormal numbers to zero, which it does not do after a reset.
 #[cfg(target_abi = "eabihf")]
 fn flush_to_zero() {
     let mut control = cortex_m::register::fpscr::read();
     control.set_fz(true);
-    // SAFETY: the bit changes what arithmetic gives, and no code here relies on subnormal numbers.
+    // SAFETY: the bit changes the results of arithmetic, and no code here relies on subnormal numbers.
     unsafe { cortex_m::register::fpscr::write(control) };
 }
 
-/// Not inlined: arithmetic must not move to the other side of the write to the control register.
+/// Runs every case. This must not be inlined, or arithmetic could move across the write to the control
+/// register.
 #[inline(never)]
 fn run() {
     cases::all(&mut Printer);
@@ -47,7 +47,7 @@ impl Cases for Printer {
         ours: fn(&[f32; A]) -> [f32; K],
     ) {
         for (k, input) in inputs.iter().enumerate() {
-            // Nothing may be computed by the compiler.
+            // The compiler must not compute any of this.
             let input = black_box(input);
             println!("{row} {k} {} {}", Bits(black_box(naive)(input)), Bits(black_box(ours)(input)));
         }

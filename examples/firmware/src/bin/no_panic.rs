@@ -1,7 +1,7 @@
-//! Every run-time step of the crate in one image that does not link if one of them can panic.
+//! Calls every run-time step of the crate in one image, which does not link if one of them can panic.
 //!
-//! `tests/devices.sh` links it for the Cortex-M4F at both optimization levels and looks for soft f64 in it.
-//! (It is not run: `bits` computes the results.)
+//! `tests/devices.sh` links it for the Cortex-M4F at both optimization levels and checks that it has no software
+//! f64. The image is not run, since `bits` computes the results.
 #![no_std]
 #![no_main]
 
@@ -54,7 +54,7 @@ fn everything() {
     black_box((coarse, reports, coarse.power(), coarse.peak(), daylight(black_box(6500.0))));
 }
 
-/// The way back, and what is around it.
+/// Finds spectra for RGB colors, mixes paints and drives a display.
 fn upsampling() {
     let rgb = black_box([Rgb::new(0.8, 0.2, 0.1); 8]);
     let mut each = SIGMOID.reflectance_8(&rgb);
@@ -67,7 +67,7 @@ fn upsampling() {
     black_box(DISPLAY.emits(DISPLAY.rgb(VIEWING.xyz(VIEWING.rgb(&paint)))));
 }
 
-/// Everything about a light, and about the color it has.
+/// Computes everything about a light and its color.
 fn meaning(lamp: &Fine<Power>) {
     black_box((cri(lamp).ok(), tm30(lamp).ok(), AlphaOpic::der(lamp), luminous_efficacy(lamp), ppfd(lamp)));
     black_box((illuminance(lamp), scotopic_illuminance(&lamp.within(400.0, 700.0))));

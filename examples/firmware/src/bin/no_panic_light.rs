@@ -1,6 +1,6 @@
-//! Every step of radiometry, matter and paths that a program can take at run time, in one image.
+//! Calls every run-time step of radiometry, matter and paths in one image.
 //!
-//! As in `no_panic`: it links only if none of them can panic.
+//! Like `no_panic`, it does not link if one of them can panic.
 #![no_std]
 #![no_main]
 
@@ -37,7 +37,7 @@ fn main() -> ! {
     }
 }
 
-/// Light on its way, by every kind of matter.
+/// Sends light along a path with every kind of matter.
 fn paths() {
     let sun = Light::<31>::flat(black_box(1.0));
     let (gray, dye) = (Reflectance::flat(black_box(0.4)), black_box(&VEST));
@@ -57,7 +57,7 @@ fn paths() {
     ));
 }
 
-/// A path chosen at run time: walked, folded, judged.
+/// Builds a scene at run time, follows light through it, folds it into an observer and leaves out effects.
 fn scenes() {
     let (sun, gray) = (Light::<31>::flat(black_box(1.0)), Reflectance::flat(black_box(0.4)));
     let (matrix, sheet) = (Donaldson::<31, 496>::from_dye(&VEST), Polarizer::ideal(black_box(0.2)));
@@ -79,7 +79,7 @@ fn scenes() {
     black_box((found.delta_e, found.scene.left_out().count(), found.scene.price(), scene.folded_price(3)));
 }
 
-/// Quantities of radiometry, and what lies between a source and a point.
+/// Computes quantities of radiometry, and the geometry between a source and a point.
 fn geometry() {
     let [a, b, c] = black_box([1.0, 2.0, 0.5]);
     let [p, q, r, n] = black_box([[0.0, 0.0, 2.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.1, 1.0]]);
@@ -107,7 +107,7 @@ fn geometry() {
     }
 }
 
-/// Surfaces, one wavelength and all of them, in a direction and over the hemisphere.
+/// Computes surfaces for one wavelength and for all, in one direction and over the hemisphere.
 fn surfaces() {
     let [cosine, alpha, turns] = black_box([0.7, 0.2, 0.3]);
     let (wo, wi) = (Direction::from_cosine(cosine, turns), Direction::spherical(alpha, cosine));
@@ -135,7 +135,7 @@ fn surfaces() {
     black_box((scattering::reciprocity(&rough, &Uniform::<4, 8>), Smooth(glass).0.fresnel(cosine)));
 }
 
-/// Interference, absorption and scattering.
+/// Computes interference, absorption and scattering.
 fn films_and_volumes() {
     let [cosine, nm, share] = black_box([0.7, 550.0, 0.3]);
     let soap: Reflectance<31> = ThinFilm::new([1.0, 1.0 + share, 1.0], nm).reflectance(cosine);

@@ -1,6 +1,6 @@
-//! Every run-time step of a sensor in one image that does not link if one of them can panic: what `no_panic`
-//! is for the rest of the crate. `tests/devices.sh` links it for every core and looks for soft f64 and more
-//! in it.
+//! Calls every run-time step of a sensor in one image, which does not link if one of them can panic, as
+//! `no_panic` does for the rest of the crate. `tests/devices.sh` links it for every core and checks that it
+//! has no software f64 and no 1 nm table.
 #![no_std]
 #![no_main]
 

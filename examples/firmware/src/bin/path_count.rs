@@ -1,6 +1,6 @@
-//! Prints the instructions that paths take from light to XYZ at 31 bands, one `name count` per line: a chain
-//! of factors beside the loop that a hand would write, a dye, a Donaldson matrix, two mirrors. All parts come
-//! from memory.
+//! Prints the instructions that paths take from light to XYZ at 31 bands, as lines `name count`: a chain of
+//! factors beside a loop written by hand, a dye, a Donaldson matrix, and two mirrors. All parts are read from
+//! memory, so the compiler cannot use their values.
 #![no_std]
 #![no_main]
 
@@ -13,7 +13,7 @@ use nanospectra_firmware::vest::VEST;
 use semihosting::{println, process};
 
 static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
-/// What a path is made of.
+/// The parts of the paths.
 struct Parts {
     sun: Light<31>,
     glass: Reflectance<31>,

@@ -1,6 +1,6 @@
-//! Prints the instructions of a static scene with a fluorescent vest in it, folded into the eye: what a
-//! filter in the light of the lamp does to the vest's color. An image of its own, as `price_whole`: nothing
-//! else here shares the sum.
+//! Prints the instructions of a static scene with a fluorescent vest that is folded into the observer. What
+//! is left at run time is a filter before the lamp, whose effect on the vest's color is computed. Like
+//! `price_whole`, it is an image of its own, so that nothing else shares the sum.
 #![no_std]
 #![no_main]
 

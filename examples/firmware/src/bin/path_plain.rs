@@ -1,5 +1,6 @@
-//! A lamp, a glass and a surface to XYZ, and no effect beyond: `tests/devices.sh` looks that nothing of
-//! fluorescence or polarization is in this image. That it cannot panic is proved here, by linking.
+//! Follows light from a lamp through a glass and over a surface to XYZ, without other effects.
+//! `tests/devices.sh` checks that this image has no code of fluorescence or polarization. Linking it proves
+//! that it cannot panic.
 #![no_std]
 #![no_main]
 

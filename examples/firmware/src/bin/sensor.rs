@@ -1,4 +1,5 @@
-//! An instrument: readings of a chip to color, a window over the last ones, and a log.
+//! An example of an instrument. It turns readings of a chip into color, smooths the last ones by a window,
+//! measures flicker, and logs all of it.
 //!
 //! `cargo run --release --target <triple> --bin sensor` boots it in QEMU and prints the log as text (see
 //! `run.sh`).
@@ -6,7 +7,7 @@
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    println!("this image logs over a debugger: run it with --target thumbv7em-none-eabihf");
+    println!("this image logs by a debugger and not on a host; run it with --target thumbv7em-none-eabihf");
 }
 
 #[cfg(target_os = "none")]

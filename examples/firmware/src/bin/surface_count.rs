@@ -1,6 +1,6 @@
-//! Prints the instructions that N bands of light take over a surface to XYZ, one `name count` per line:
-//! nothing folded, for a light that changes from call to call. (In `path_count`, 31 bands share the eye's
-//! loop with other paths.)
+//! Prints the instructions that N bands of light take over a surface to XYZ, as lines `name count`. Nothing
+//! is folded, because the light changes from call to call. It is an image of its own, since in `path_count`
+//! 31 bands share the observer's loop with other paths.
 #![no_std]
 #![no_main]
 

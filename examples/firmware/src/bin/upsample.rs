@@ -1,7 +1,7 @@
-//! One RGB to the reflectance that has it, on 31 bands, by the default start map, and nothing else.
+//! Finds a reflectance of 31 bands for one RGB color by the default start map, and does nothing else.
 //!
-//! `tests/devices.sh` looks into this image: the weights, the start map and the solver in 2.5 KB of flash, no
-//! `core::fmt`, no soft f64, nothing of libm. That it cannot panic is proved here, by linking.
+//! `tests/devices.sh` checks that the weights, the start map and the solver take at most 2.5 KB of flash, and that
+//! there is no `core::fmt` and no software f64. Linking the image proves that it cannot panic.
 #![no_std]
 #![no_main]
 

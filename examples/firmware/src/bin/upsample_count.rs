@@ -1,6 +1,6 @@
-//! Prints the instructions that an RGB takes to its reflectance on 31 bands: the mean and the most over 729
-//! colors of the sRGB cube, for each start map; what reading 31 bands of the result takes; and the linear
-//! methods, which give the 31 bands at once.
+//! Prints the instructions that it takes to find a reflectance of 31 bands for an RGB color: the mean and the
+//! most over 729 colors of the sRGB cube, for each start map. It also prints the instructions for reading 31
+//! bands of the result, and those of the linear methods, which give the 31 bands at once.
 #![no_std]
 #![no_main]
 
@@ -41,7 +41,7 @@ fn main() -> ! {
 
 fn count(clock: &Clock, map: &str, f: fn(&Rgb<Srgb>, &mut Answer)) {
     let (mut sum, mut most, mut colors) = (0, 0, 0);
-    // Linear light of encoded steps of an eighth, near enough.
+    // About the linear light of encoded steps of an eighth.
     let levels = [0.0, 0.0144, 0.0508, 0.1163, 0.2140, 0.3467, 0.5225, 0.7379, 1.0];
     for r in levels {
         for g in levels {

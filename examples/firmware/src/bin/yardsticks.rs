@@ -1,5 +1,5 @@
-//! Prints the instructions that the methods of others take (`nanospectra_hard::yardstick`), one `name count`
-//! per line, counted as in `count`.
+//! Prints the instructions of published methods of others (`nanospectra_hard::yardstick`) as lines `name
+//! count`. They are counted as in `count`.
 #![no_std]
 #![no_main]
 
@@ -19,7 +19,7 @@ static Y: FineObserver<1> = CIE_1931.mixed(&[[0.0, 1.0, 0.0]]);
 fn main() -> ! {
     let clock = Clock::start();
     count(&clock, "rgb-product", rgb_product, &[[[0.9, 0.8, 0.7], [0.5, 0.2, 0.1]]]);
-    // Either side of the lobes, and beyond them.
+    // Wavelengths on either side of the lobes and beyond them.
     let wavelengths = [380.0, 450.0, 500.0, 555.0, 600.0, 780.0];
     count(&clock, "lobes-point", lobes_point::<Portable>, &wavelengths);
     count(&clock, "lobes-point-fast", lobes_point::<Fast>, &wavelengths);
@@ -27,7 +27,7 @@ fn main() -> ! {
     count(&clock, "sum-471-lanes", sum_lanes, &[DAYLIGHT]);
     count(&clock, "sum-471-pairwise", sum_pairwise, &[DAYLIGHT]);
 
-    // The lights of `cct-duv` in `count`; the first, a candle, has most of Robertson's isotherms to pass.
+    // The lights of `cct-duv` in `count`. For the first, a candle, Robertson's method passes most isotherms.
     let lights = [
         [0.5268, 0.4133],
         [0.4476, 0.4074],
@@ -44,7 +44,7 @@ fn main() -> ! {
     process::exit(0)
 }
 
-/// Prints the longest of the calls.
+/// Prints the instructions of the longest call.
 fn count<A, R: Default>(clock: &Clock, name: &str, f: fn(&A, &mut R), inputs: &[A]) {
     let longest = inputs.iter().map(|input| clock.count(f, input, &mut R::default())).max();
     println!("{name} {}", longest.unwrap_or(0));

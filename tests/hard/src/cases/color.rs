@@ -1,4 +1,4 @@
-//! Rows 25 to 33: sigmoids, cube roots, Lab and its knee, black and red lasers, sRGB.
+//! Rows 25 to 33: sigmoids, cube roots, Lab and its knee, black, red lasers, and sRGB.
 
 use super::textbook::powf;
 use super::{Cases, answered};
@@ -33,10 +33,10 @@ fn sigmoid(&[x]: &[f32; 1]) -> [f32; 1] {
     [Shape { q: [0.0, 0.0, x] }.at(580.0)]
 }
 
-/// Of x = (nm - 580) / 200.
+/// The coefficients of a steep quadratic in x = (nm - 580) / 200.
 pub const STEEP: [f32; 3] = [211.7, -187.3, -33.9];
 const WAVELENGTHS: [[f32; 1]; 25] = {
-    // The last one is the worst of a million.
+    // The last wavelength is the worst of a million that were tried.
     let (mut nm, mut k) = ([[787.905_76]; 25], 0);
     while k < 24 {
         nm[k] = [360.0 + 20.3 * k as f32];
@@ -45,7 +45,7 @@ const WAVELENGTHS: [[f32; 1]; 25] = {
     nm
 };
 
-/// The same quadratic with its coefficients for nm.
+/// Computes the same quadratic from its coefficients for nm.
 fn quadratic_in_nm(&[nm]: &[f32; 1]) -> [f32; 1] {
     const ABC: [f32; 3] = {
         let [a, b, c] = [STEEP[0] as f64 / 4e4, STEEP[1] as f64 / 200.0, STEEP[2] as f64];
@@ -58,12 +58,12 @@ fn quadratic_in_nm(&[nm]: &[f32; 1]) -> [f32; 1] {
 const ROOTS: [[f32; 1]; 10] =
     [[0.021_109_749], [0.008], [0.008_856], [0.05], [0.184], [0.3], [0.7], [0.999], [-0.05], [1e-30]];
 
-/// L* of Y relative to white.
+/// Returns L* of Y, which is relative to white.
 fn lightness(y: f32) -> f32 {
     Xyz::new(1.0, y, 1.0).lab(Xyz::new(1.0, 1.0, 1.0)).map_or(f32::NAN, |lab| lab.l)
 }
 
-/// The last Y before each form's knee: the rounded constants', and the exact one.
+/// The last Y before the knee, by the rounded constants and exactly.
 const KNEES: [[f32; 2]; 1] = [[0.008_856, 216.0 / 24389.0]];
 
 fn naive_knee(&[below, _]: &[f32; 2]) -> [f32; 2] {
@@ -74,7 +74,7 @@ fn naive_knee(&[below, _]: &[f32; 2]) -> [f32; 2] {
 const DARK: [[f32; 1]; 6] = [[0.0], [-1e-3], [-0.5], [1e-6], [0.005], [0.5]];
 
 const BLACK: [[f32; 3]; 1] = [[0.0; 3]];
-/// A color, relative to a white without Z.
+/// A color that is seen relative to a white without Z.
 const RED_LASER: [[f32; 3]; 1] = [[0.7, 0.3, 0.0]];
 const COLOR: Xyz = Xyz::new(0.2, 0.2, 0.1);
 
@@ -98,7 +98,7 @@ fn luv(black: &[f32; 3]) -> [f32; 3] {
     Xyz::from(*black).luv(Xyz::from(WHITE)).map_or([f32::NAN; 3], |luv| [luv.l, luv.u, luv.v])
 }
 
-/// b* as the formula has it.
+/// Returns b* by the formula as it is printed.
 fn naive_lab(&[_, y, z]: &[f32; 3]) -> [f32; 1] {
     let f = |t: f32| powf(t, 1.0 / 3.0);
     let b = 200.0 * (f(COLOR.y / y) - f(COLOR.z / z));
@@ -121,12 +121,12 @@ fn naive_encode(x: f32) -> f32 {
     if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * powf(x, 1.0 / 2.4) - 0.055 }
 }
 
-/// What the code value jumps by from one number to the next.
+/// Returns how much the code value grows from the knee to the next number.
 fn step(&[knee]: &[f32; 1], encode: fn(f32) -> f32) -> [f32; 1] {
     [encode(knee.next_up()) - encode(knee)]
 }
 
-/// Code values, there and back; a negative light is brought back by the power as well.
+/// Encodes a number and decodes it; the power is applied to negative light, too.
 fn naive_round_trip(&[x]: &[f32; 1]) -> [f32; 1] {
     let code = naive_encode(x);
     let size = if code < 0.0 { -code } else { code };

@@ -1,4 +1,4 @@
-//! Rows 34 to 36: CIEDE2000 of the published pairs, of near pairs, of opposite hues and of large chromas.
+//! Rows 34 to 36: CIEDE2000 of the published pairs, near pairs, opposite hues and large chromas.
 
 use super::Cases;
 use super::noise::Noise;
@@ -15,10 +15,10 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("36", &LARGE, |pair| naive(pair, by_angles), ours);
 }
 
-/// L*, a*, b*, twice.
+/// L*, a*, b* of two colors.
 type Pair = [f32; 6];
 
-/// Sharma, Wu and Dalal 2005, table 1.
+/// The pairs of table 1 of Sharma, Wu and Dalal 2005.
 const SHARMA: [Pair; 34] = [
     [50.0, 2.6772, -79.7751, 50.0, 0.0, -82.7485],
     [50.0, 3.1571, -77.2803, 50.0, 0.0, -82.7485],
@@ -56,17 +56,17 @@ const SHARMA: [Pair; 34] = [
     [2.0776, 0.0795, -1.1350, 0.9033, -0.0636, -0.5514],
 ];
 
-/// Pairs 9 to 14, whose hues are opposite.
+/// Sharma's pairs 9 to 14, whose hues are opposite.
 const OPPOSITE: [Pair; 6] = [SHARMA[8], SHARMA[9], SHARMA[10], SHARMA[11], SHARMA[12], SHARMA[13]];
 
-/// Hues nearly opposite, where the mean hue turns fastest: the worst of a million random pairs.
+/// Pairs of nearly opposite hues, where the mean hue turns fastest: the worst of a million random pairs.
 const FAR: [Pair; 3] = [
     [19.855_652, 90.198_006, -47.310_173, 29.593_237, -91.061_51, -31.913_725],
     [50.0, 60.0, 20.0, 60.0, -60.0, -21.0],
     [30.0, -5.0, 80.0, 40.0, 70.0, -60.0],
 ];
 
-/// Colors without luminance, as lasers and matrices make them.
+/// Colors of huge chroma, such as lasers and matrices can give.
 const LARGE: [Pair; 5] = [
     [50.0, 1e5, 100.0, 50.0, 1e5, -200.0],
     [50.0, 2e5, 1e5, 40.0, 1e5, 2e5],
@@ -75,7 +75,7 @@ const LARGE: [Pair; 5] = [
     [10.0, 3e7, 1.0, 90.0, 2e7, 5e6],
 ];
 
-/// Saturated colors a hundredth apart.
+/// Returns pairs of saturated colors that are a hundredth apart.
 fn near() -> [Pair; 24] {
     let mut noise = Noise(34);
     [(); 24].map(|()| {
@@ -89,14 +89,14 @@ fn ours(&[l1, a1, b1, l2, a2, b2]: &Pair) -> [f32; 1] {
     [ciede2000(Lab::new(l1, a1, b1), Lab::new(l2, a2, b2))]
 }
 
-/// The difference of hue of (a1, b1) and (a2, b2), times root(C1 C2).
+/// A function that returns the difference of hue of (a1, b1) and (a2, b2), times root(C1 C2).
 type HueDifference = fn([f32; 2], [f32; 2]) -> f32;
 
 fn chroma([a, b]: [f32; 2]) -> f32 {
     sqrt(a * a + b * b)
 }
 
-/// In degrees.
+/// Returns the hue in degrees.
 fn hue([a, b]: [f32; 2]) -> f32 {
     if a == 0.0 && b == 0.0 {
         return 0.0;
@@ -124,20 +124,20 @@ fn by_angles(one: [f32; 2], two: [f32; 2]) -> f32 {
     2.0 * sqrt(c1 * c2) * sin(0.5 * turn)
 }
 
-/// The cross product over root((C1 C2 + the scalar product) / 2), for any two hues.
+/// Returns the cross product over root((C1 C2 + the scalar product) / 2), whatever the two hues are.
 fn by_cross_product(one: [f32; 2], two: [f32; 2]) -> f32 {
     let scalar = one[0] * two[0] + one[1] * two[1];
     let below = 0.5 * (chroma(one) * chroma(two) + scalar);
     if below > 0.0 { (one[0] * two[1] - two[0] * one[1]) / sqrt(below) } else { 0.0 }
 }
 
-/// root(C^7 / (C^7 + 25^7)).
+/// Returns root(C^7 / (C^7 + 25^7)) by the seventh powers.
 fn by_powers(c: f32) -> f32 {
     let seventh = powf(c, 7.0);
     sqrt(seventh / (seventh + 6_103_515_625.0))
 }
 
-/// Sharma's formulas as printed.
+/// Computes CIEDE2000 by Sharma's formulas as they are printed.
 fn naive(&[l1, a1, b1, l2, a2, b2]: &Pair, hue_difference: HueDifference) -> [f32; 1] {
     let mean = 0.5 * (chroma([a1, b1]) + chroma([a2, b2]));
     let g = 0.5 * (1.0 - by_powers(mean));

@@ -1,4 +1,4 @@
-//! Rows 21 to 24, 52 and 53: microfacets of a mirror's smoothness, grazing light, integrals over the
+//! Rows 21 to 24, 52 and 53: microfacets that are nearly a mirror, grazing light, and integrals over the
 //! hemisphere.
 
 use super::Cases;
@@ -20,7 +20,7 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("53", &[[1.5]], gauss_in_the_square, gauss_in_the_cosine);
 }
 
-/// Roughness and zenith angle: the peak, half way down, the tail.
+/// Pairs of a roughness and a zenith angle, at the peak of the lobe, half way down and in its tail.
 const PEAKS: [[f32; 2]; 10] = [
     [1e-3, 0.044_414_558],
     [1e-3, 0.0],
@@ -48,7 +48,7 @@ fn naive_d(alpha: f32, cos: f32) -> f32 {
     a2 / (PI * below * below)
 }
 
-/// Roughness, two cosines and the turn between them, down to the horizon and below it.
+/// Returns a roughness, two cosines and the turn between them, down to the horizon and below it.
 fn grazing(roughness: f32) -> [[f32; 4]; 8] {
     [
         [roughness, 1e-6, 1e-6, 0.5],
@@ -66,7 +66,7 @@ fn pair(&[_, out, into, turns]: &[f32; 4]) -> (Direction, Direction) {
     (Direction::from_cosine(out, 0.0), Direction::from_cosine(into, turns))
 }
 
-/// The textbook's D G F / (4 cos cos).
+/// Computes the textbook's D G F / (4 cos cos).
 fn naive_facets(at: &[f32; 4]) -> [f32; 1] {
     let (wo, wi) = pair(at);
     let [alpha, ..] = *at;
@@ -87,14 +87,14 @@ fn facets(at: &[f32; 4]) -> [f32; 1] {
 
 const ALBEDO: f32 = 0.5;
 
-/// Oren and Nayar's qualitative model of 1994.
+/// Computes Oren and Nayar's qualitative model of 1994.
 fn naive_matt(at: &[f32; 4]) -> [f32; 1] {
     let [sigma, out, into, turns] = *at;
     let s2 = sigma * sigma;
     let (a, b) = (1.0 - s2 / (2.0 * (s2 + 0.33)), 0.45 * s2 / (s2 + 0.09));
     let cos_phi = cos_turns(turns);
     let across = if cos_phi > 0.0 { cos_phi } else { 0.0 };
-    // sin(alpha) tan(beta): beta is the smaller angle
+    // The factor sin(alpha) tan(beta), where beta is the smaller angle.
     let sine = |cos: f32| sqrt(1.0 - cos * cos);
     let larger = if out > into { out } else { into };
     [ALBEDO / PI * (a + b * across * (sine(out) * sine(into) / larger))]
@@ -106,7 +106,7 @@ fn matt(at: &[f32; 4]) -> [f32; 1] {
     [OrenNayar::new(ALBEDO, sigma).f(wo, wi)]
 }
 
-/// NaN unless a surface without roughness is Lambert's to the bit.
+/// Returns NaN unless a surface without roughness has exactly the bits of Lambert's law.
 fn matt_or_lambert(at: &[f32; 4]) -> [f32; 1] {
     let (wo, wi) = pair(at);
     let [flat] = matt(at);
@@ -114,7 +114,7 @@ fn matt_or_lambert(at: &[f32; 4]) -> [f32; 1] {
     [if flat.to_bits() == lambert.to_bits() { lambert } else { f32::NAN }]
 }
 
-/// Roughness and cosine.
+/// Pairs of a roughness and a cosine.
 const GLOSS: [[f32; 2]; 6] = [[0.05, 0.1], [0.05, 0.5], [0.05, 1.0], [1e-3, 0.1], [0.2, 0.3], [0.5, 0.7]];
 
 fn white(alpha: f32) -> Microfacet<f32> {
@@ -129,7 +129,7 @@ fn visible_normals(&[alpha, cos]: &[f32; 2]) -> [f32; 1] {
     [rho_hd(&white(alpha), Direction::from_cosine(cos, 0.0), &VisibleNormals::<12, 12>)]
 }
 
-/// Eight nodes of Gauss and Legendre on -1..1, the positive ones, and their weights.
+/// The four positive ones of eight Gauss-Legendre nodes on -1..1, and their weights.
 const NODES: [(f32, f32); 4] = [
     (0.183_434_64, 0.362_683_78),
     (0.525_532_4, 0.313_706_65),
@@ -137,7 +137,7 @@ const NODES: [(f32, f32); 4] = [
     (0.960_289_86, 0.101_228_54),
 ];
 
-/// The flux integral in the square of the cosine, which is uniform in flux.
+/// Integrates the flux over the square of the cosine, in which the flux is uniform.
 fn gauss_in_the_square(&[eta]: &[f32; 1]) -> [f32; 1] {
     let mut sum = 0.0;
     for (x, weight) in NODES {

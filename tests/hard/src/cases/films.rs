@@ -1,4 +1,4 @@
-//! Rows 46 to 48: the phase of thick films, the reflectance of the thinnest, and what bins make of fringes.
+//! Rows 46 to 48: the phase of thick films, the reflectance of the thinnest, and fringes finer than a bin.
 
 use super::Cases;
 use super::textbook::cos;
@@ -15,7 +15,7 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("48", &[[1e6], [1.0003e6]], points, averaged);
 }
 
-/// Index, thickness and wavelength in nm: 10 um, 1 mm and 10 cm of light's path.
+/// Index, thickness and wavelength in nm of films in which the path of light is 10 um, 1 mm and 10 cm.
 const PHASES: [[f32; 3]; 9] = [
     [1.0, 1e4, 555.1],
     [1.33, 7518.797, 420.7],
@@ -36,7 +36,7 @@ fn phase(&[n, d, nm]: &[f32; 3]) -> [f32; 1] {
     [cos_turns(ThinFilm::new([1.0, n, 1.0], d).phase_turns(nm, 1.0))]
 }
 
-/// Thickness and wavelength in nm, of soap.
+/// Pairs of thickness and wavelength in nm for films of soap.
 const THINNEST: [[f32; 2]; 7] = [
     [0.534_689_7, 646.5087],
     [1e-3, 550.0],
@@ -62,13 +62,13 @@ fn airy(&[d, nm]: &[f32; 2]) -> [f32; 1] {
 
 static EYE: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Spline).with_white_y(100.0);
 
-/// XYZ of the film from its reflectance at the centers of 31 bins.
+/// Returns XYZ of the film from its reflectance at the centers of 31 bins.
 fn points(&[d]: &[f32; 1]) -> [f32; 3] {
     let film = ThinFilm::new(SOAP, d);
     EYE.sees(&Reflectance::<31>::at_centers(|nm| PowerShares::mean(film.at(nm, 1.0)).reflected))
 }
 
-/// From its mean over them.
+/// Returns XYZ of the film from its mean reflectance over each of 31 bins.
 fn averaged(&[d]: &[f32; 1]) -> [f32; 3] {
     let film: Reflectance<31> = ThinFilm::new(SOAP, d).reflectance(1.0);
     EYE.sees(&film)

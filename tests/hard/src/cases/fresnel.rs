@@ -22,12 +22,12 @@ pub fn rows(cases: &mut impl Cases) {
     );
 }
 
-/// Relative index and cosine, where all is reflected.
+/// Pairs of a relative index and a cosine at which all light is reflected.
 const BEYOND: [[f32; 2]; 4] = [[1.0 / 1.5, 0.7], [1.0 / 1.5, 0.1], [0.999, 0.04], [0.5, 0.8]];
 const JUST_BELOW: [[f32; 2]; 4] =
     [[1.0 / 1.5, 0.7455], [1.0 / 1.5, 0.7461], [0.999, 0.044_72], [0.5, 0.8661]];
 
-/// The best of mirrors.
+/// Indices and cosines of metals that reflect nearly everything.
 const SILVERY: [[f32; 3]; 6] = [
     [0.01, 20.0, 1.0],
     [0.01, 20.0, 0.919_533_97],
@@ -37,7 +37,7 @@ const SILVERY: [[f32; 3]; 6] = [
     [0.01, 20.0, 0.05],
 ];
 
-/// s and p by the angle of refraction, as pbrt has it.
+/// Returns the reflectances for s and p by the angle of refraction, as pbrt computes them.
 fn dielectric(&[eta, cos_i]: &[f32; 2]) -> [f32; 2] {
     let cos_t = sqrt(1.0 - (1.0 - cos_i * cos_i) / (eta * eta));
     let parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
@@ -50,7 +50,7 @@ fn ours(&[eta, cos_i]: &[f32; 2]) -> [f32; 2] {
     [shares.s, shares.p]
 }
 
-/// s and p of a metal in real numbers, as pbrt-v3 has it.
+/// Returns the reflectances of a metal for s and p in real numbers, as pbrt-v3 computes them.
 fn conductor(&[eta, k, cos]: &[f32; 3]) -> [f32; 2] {
     let cos2 = cos * cos;
     let sin2 = 1.0 - cos2;

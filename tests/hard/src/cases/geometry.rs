@@ -1,4 +1,4 @@
-//! Rows 7 to 13: solid angles and form factors of what is small, far, huge or nothing at all.
+//! Rows 7 to 13: solid angles and form factors of shapes that are small, far, huge or without area.
 
 use super::Cases;
 use super::noise::Noise;
@@ -25,7 +25,7 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("13", &DEGENERATE, girard, ours_triangle);
 }
 
-/// The sun, a ten thousandth of a radian, and what is near.
+/// Radius and distance of spheres: the sun, a ten thousandth of a radian, and near ones.
 const SPHERES: [[f32; 2]; 8] = [
     [6.957e8, 1.496e11],
     [1.0, 1e4],
@@ -37,7 +37,7 @@ const SPHERES: [[f32; 2]; 8] = [
     [1.136_706_4, 514.607],
 ];
 
-/// Radii at a distance of 1.
+/// The radii of pairs of disks at a distance of 1.
 const DISKS: [[f32; 2]; 8] = [
     [3.389_908e-4, 1.402_434_3e-3],
     [0.1, 0.1],
@@ -51,7 +51,7 @@ const DISKS: [[f32; 2]; 8] = [
 
 type Corners = [f32; 9];
 
-/// Triangles of a thousandth to a millionth at a distance of about 1, ten of each size.
+/// Returns triangles of a thousandth to a millionth at a distance of about 1, ten of each size.
 fn small() -> [Corners; 40] {
     let mut noise = Noise(10);
     let mut all = [[0.0; 9]; 40];
@@ -66,7 +66,7 @@ fn small() -> [Corners; 40] {
     all
 }
 
-/// Around the observer, who is nearly in their plane.
+/// Returns triangles around the observer, who is nearly in their plane.
 fn huge() -> [Corners; 7] {
     let (mut height, mut noise) = (1.0, Noise(12));
     [(); 7].map(|()| {
@@ -76,7 +76,7 @@ fn huge() -> [Corners; 7] {
     })
 }
 
-/// No area, the observer on a vertex, the observer in the plane.
+/// Triangles without area, with the observer on a vertex, and with the observer in their plane.
 const DEGENERATE: [Corners; 6] = [
     [0.3, -0.2, 1.0, 0.3, -0.2, 1.0, 0.3, -0.2, 1.0],
     [0.3, -0.2, 1.0, 0.3, -0.2, 1.0, 1.3, 0.1, 1.0],
@@ -119,7 +119,7 @@ fn atan2(y: f32, x: f32) -> f32 {
     Libm::atan2(y, x)
 }
 
-/// Van Oosterom and Strackee as published, with the arc tangent that a reader takes.
+/// Computes the formula of Van Oosterom and Strackee as published, with the given arc tangent.
 fn van_oosterom(corners: &Corners, arc_tangent: fn(f32, f32) -> f32) -> f32 {
     let [a, b, c] = points(corners);
     let [la, lb, lc] = [a, b, c].map(|v| sqrt(dot(v, v)));
@@ -128,7 +128,7 @@ fn van_oosterom(corners: &Corners, arc_tangent: fn(f32, f32) -> f32) -> f32 {
     2.0 * arc_tangent(volume, la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la)
 }
 
-/// The sides of the triangle on the unit sphere.
+/// Returns the sides of the triangle on the unit sphere.
 fn sides(corners: &Corners) -> [f32; 3] {
     let [a, b, c] = points(corners).map(|v| {
         let length = sqrt(dot(v, v));
@@ -144,7 +144,7 @@ fn lhuilier(corners: &Corners) -> [f32; 1] {
     [4.0 * atan(sqrt(product))]
 }
 
-/// The sum of the angles less pi.
+/// Returns the sum of the angles less pi.
 fn girard(corners: &Corners) -> [f32; 1] {
     let [a, b, c] = sides(corners);
     let angle = |across: f32, p: f32, q: f32| {

@@ -1,9 +1,9 @@
-//! The hard cases: inputs at which the form of the textbook fails in f32, that form, and the crate's.
+//! The hard cases: inputs at which the textbook's form fails in f32, with that form and the crate's.
 //!
-//! Two programs run them: the binary of this package, which knows the right answers, and the image `hard` of
+//! Two programs run them: the binary of this package, which compares them with f64, and the image `hard` of
 //! `examples/firmware`, which prints the bits of a Cortex-M4F with and without flush-to-zero.
 //!
-//! A row is named by its number and, where one row asks more than one thing, a letter: "18a".
+//! A row is named by its number and, if it has more than one part, by a letter, such as "18a".
 
 pub mod color;
 mod differences;
@@ -18,9 +18,9 @@ mod sums;
 mod temperature;
 mod textbook;
 
-/// Runs the rows, in whatever way it runs them.
+/// A program that runs the rows, such as one that prints their results.
 pub trait Cases {
-    /// The numbers that both forms give for each input.
+    /// Runs both forms of one row at each of its inputs.
     fn row<const A: usize, const K: usize>(
         &mut self,
         row: &str,
@@ -30,7 +30,7 @@ pub trait Cases {
     );
 }
 
-/// Every row.
+/// Runs every row.
 pub fn all(cases: &mut impl Cases) {
     planck::rows(cases);
     geometry::rows(cases);
@@ -44,7 +44,7 @@ pub fn all(cases: &mut impl Cases) {
     sensor::rows(cases);
 }
 
-/// What stands for an answer: 1 for a number, 0 for none; NaN stays.
+/// Returns 1 if there is a number and 0 if there is none; NaN stays NaN.
 fn answered(number: Option<f32>) -> [f32; 1] {
     [number.map_or(0.0, |number| if number.is_nan() { number } else { 1.0 })]
 }

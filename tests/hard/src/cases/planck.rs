@@ -14,10 +14,10 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("6", &SEEN, by_micromath, ours);
 }
 
-/// nm and K, 500 K to 1e5 K.
+/// Pairs of nm and K, from 500 K to 1e5 K.
 const SEEN: [[f32; 2]; 31] = {
     let (nm, kelvin) = ([360.0, 450.0, 555.0, 680.0, 830.0], [500.0, 1000.0, 2856.0, 6504.0, 2e4, 1e5]);
-    // The last one is the worst of a million.
+    // The last pair is the worst of a million that were tried.
     let (mut points, mut k) = ([[738.6631, 67_746.71]; 31], 0);
     while k < 30 {
         points[k] = [nm[k % 5], kelvin[k / 5]];
@@ -39,7 +39,7 @@ const HOT: [[f32; 2]; 10] = [
     [528.295_65, 434_802_020.0],
 ];
 
-/// X-rays, of what is hot enough to send them and of what is not.
+/// X-rays of bodies that are hot enough to emit them and of bodies that are not.
 const SHORT: [[f32; 2]; 7] = [
     [0.1, 1e10],
     [0.1, 1e12],
@@ -50,7 +50,7 @@ const SHORT: [[f32; 2]; 7] = [
     [0.1, 6500.0],
 ];
 
-/// Where e^x overflows; at 250 K less than 1e-38 is left.
+/// Pairs at which e^x overflows; at 250 K the radiance is below 1e-38.
 const FADING: [[f32; 2]; 8] = [
     [555.0, 250.0],
     [555.0, 255.097_56],
@@ -78,7 +78,7 @@ const SHAPE: [[f32; 2]; 13] = [
     [552.5, 1e5],
 ];
 
-/// In SI units, per nm.
+/// Computes Planck's law in SI units and returns the radiance per nm.
 fn radiance(nm: f32, kelvin: f32) -> f32 {
     let length = nm * 1e-9;
     let fifth = length * length * length * length * length;

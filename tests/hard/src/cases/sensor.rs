@@ -1,4 +1,4 @@
-//! Rows 49 to 51: from eight counts to 31 bins or to XYZ.
+//! Rows 49 to 51: eight counts of a sensor to 31 bins or to XYZ.
 
 use super::Cases;
 use nanospectra::light::D65;
@@ -26,7 +26,7 @@ pub type Chip = Observer<8, N, Power, Points>;
 
 pub static AS7341: Chip = as7341::NOMINAL.fold(Curve::Step);
 
-/// Eight channels 120 nm wide, each of which sees much of what its neighbors see.
+/// A chip of eight channels that are 120 nm wide, so that each overlaps its neighbors widely.
 pub static WIDE: Chip = {
     let mut channels = [(415.0, 120.0); 8];
     let mut c = 0;
@@ -38,26 +38,26 @@ pub static WIDE: Chip = {
     fine.fold(Curve::Step)
 };
 
-/// The channel that counts one: the spectrum is that column of the matrix.
+/// The channel that counts 1 while the others count 0, so that the spectrum is a column of the matrix.
 pub const COUNTED: usize = 3;
 static COUNTS: [f32; 8] = {
     let mut counts = [0.0; 8];
     counts[COUNTED] = 1.0;
     counts
 };
-/// The correlation of neighboring bins.
+/// The correlation between neighboring bins of a smooth spectrum.
 pub const SMOOTH: f32 = 0.95;
 
 fn dot(a: &[f32], b: &[f32]) -> f32 {
     a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }
 
-/// The mean square of a channel, which alpha is relative to.
+/// Returns the mean square of a channel, to which alpha is relative.
 fn signal(chip: &Chip) -> f32 {
     chip.weights().iter().fold(0.0, |sum, row| sum + dot(row, row)) / 8.0
 }
 
-/// x of A x = b by Cholesky's factor; NaN where a pivot is not positive.
+/// Solves A x = b by Cholesky's factor; the result is NaN if a pivot is not positive.
 #[expect(clippy::needless_range_loop, reason = "as the textbook has it")]
 fn cholesky<const M: usize>(a: &mut [[f32; M]; M], b: &mut [f32; M]) {
     for j in 0..M {
@@ -83,7 +83,7 @@ fn cholesky<const M: usize>(a: &mut [[f32; M]; M], b: &mut [f32; M]) {
     }
 }
 
-/// (G' G + alpha) s = G' c, 31 equations.
+/// Solves (G' G + alpha) s = G' c, which are 31 equations.
 fn normal_equations(&[alpha]: &[f32; 1]) -> [f32; N] {
     let g = AS7341.weights();
     let (mut a, mut b) = ([[0.0; N]; N], [0.0; N]);
@@ -106,14 +106,14 @@ fn spectrum(matrix: Reconstruction<8, N, Points>) -> [f32; N] {
     *matrix.spectrum(&BasicCounts::new(COUNTS)).values()
 }
 
-/// K G' (G K G' + alpha)^-1 c with the covariance of smooth spectra, 8 equations.
+/// Computes K G' (G K G' + alpha)^-1 c with the covariance K of smooth spectra, which takes 8 equations.
 fn smooth_by_cholesky(chip: &Chip, alpha: f32) -> [f32; N] {
     let g = chip.weights();
     let mut powers = [1.0; N];
     for k in 1..N {
         powers[k] = SMOOTH * powers[k - 1];
     }
-    // K G', a column for each channel
+    // K G' has a column for each channel.
     let kg = g.map(|row| {
         let mut column = [0.0; N];
         for (i, value) in column.iter_mut().enumerate() {
@@ -145,7 +145,7 @@ fn wiener(&[alpha]: &[f32; 1]) -> [f32; N] {
     Reconstruction::smooth(&WIDE, SMOOTH, alpha).map_or([f32::NAN; N], spectrum)
 }
 
-/// Two of the channels are one, and no noise is expected: nothing tells them apart.
+/// A chip with two equal channels, which cannot be told apart.
 static TWINS: Chip = {
     let mut rows = *AS7341.weights();
     rows[1] = rows[0];
@@ -161,7 +161,7 @@ fn twins(_: &[f32; 1]) -> [f32; 1] {
     super::answered(Reconstruction::smooth(&TWINS, SMOOTH, 0.0).ok().map(|matrix| spectrum(matrix)[0]))
 }
 
-/// Every second sample of CIE 224 under D65.
+/// Returns every second sample of CIE 224 under D65.
 fn patches(first: usize) -> impl Iterator<Item = Fine<Power>> {
     let lamp: Fine<Power> = D65.fine();
     CES.iter().skip(first).step_by(2).map(move |sample| lamp * sample.fine())
@@ -171,7 +171,7 @@ fn counts(patch: &Fine<Power>) -> BasicCounts<8> {
     BasicCounts::new(as7341::NOMINAL.sees(patch))
 }
 
-/// XYZ of the samples that `calibration` was not made from.
+/// Returns XYZ of the samples from which `calibration` was not made.
 fn judged(calibration: &Calibration<8>) -> [f32; 147] {
     let mut all = [f32::NAN; 147];
     for (xyz, patch) in all.chunks_mut(3).zip(patches(1)) {
@@ -180,14 +180,14 @@ fn judged(calibration: &Calibration<8>) -> [f32; 147] {
     all
 }
 
-/// By way of 31 bins.
+/// Finds XYZ by way of 31 bins.
 fn by_spectrum(_: &[f32; 1]) -> [f32; 147] {
     let eye: Observer<3, N, Power, Points> = CIE_1931.fold(Curve::Step);
     Reconstruction::smooth(&AS7341, SMOOTH, DEFAULT_ALPHA)
         .map_or([f32::NAN; 147], |matrix| judged(&matrix.seen_by(&eye)))
 }
 
-/// 3 x 8 numbers, fitted to the other samples.
+/// Finds XYZ by 3 x 8 numbers that were fitted to the other samples.
 fn direct(_: &[f32; 1]) -> [f32; 147] {
     let mut fit = Fit::<8>::new();
     for patch in patches(0) {

@@ -1,4 +1,4 @@
-//! Rows 41 to 45: long sums, extreme scales, thin absorbers.
+//! Rows 41 to 45: long sums, extreme scales and thin absorbers.
 
 use super::Cases;
 use super::noise::Noise;
@@ -21,7 +21,7 @@ pub fn rows(cases: &mut impl Cases) {
     );
 }
 
-/// Weights and values, 0 to 1; sixteen draws about one that the naive sum is bad at.
+/// Returns sixteen draws of weights and values from 0 to 1, among them one for which the naive sum is bad.
 fn terms<const A: usize>(first: u64) -> [[f32; A]; 16] {
     let mut seed = first;
     [(); 16].map(|()| {
@@ -31,7 +31,7 @@ fn terms<const A: usize>(first: u64) -> [[f32; A]; 16] {
     })
 }
 
-/// The sum of the products of two halves, one after the other.
+/// Sums the products of the two halves, one after the other.
 fn naive<const A: usize>(terms: &[f32; A]) -> [f32; 1] {
     let (weights, values) = terms.split_at(A / 2);
     [weights.iter().zip(values).fold(0.0, |sum, (w, v)| sum + w * v)]
@@ -45,12 +45,12 @@ fn lanes<const A: usize, const N: usize, G: Grid>(terms: &[f32; A]) -> [f32; 1] 
     Observer::<1, N, Power, G>::from_weights([weights]).sees(&Spectrum::from_bins(values))
 }
 
-/// Equal energy of so much per nm.
+/// Sums the rows for an equal-energy light of `scale` per nm.
 fn naive_bright(&[scale]: &[f32; 1]) -> [f32; 3] {
     CIE_1931.weights().map(|row| row.iter().fold(0.0, |sum, w| sum + w * scale))
 }
 
-/// A light that falls off towards red, seen at a scale, in numbers of ordinary size.
+/// Returns XYZ of a light that falls off towards red, computed at a scale and divided by it.
 fn faint(scale: f32) -> [f32; 3] {
     let mut share = 1.0;
     let light = Fine::<Power>::from_bins([(); 471].map(|()| {

@@ -1,4 +1,4 @@
-//! Rows 37 to 40: correlated color temperature by ours and by others' methods.
+//! Rows 37 to 40: correlated color temperature by the crate's method and by methods of others.
 
 use super::{Cases, answered};
 use crate::yardstick::cct::{mccamy, ohno, robertson};
@@ -11,7 +11,7 @@ pub fn rows(cases: &mut impl Cases) {
     cases.row("40", &OFF, |uv| answered(Some(by_mccamy(uv)[0])), |uv| answered(near(uv)));
 }
 
-/// u and v of 1001 K to 990 000 K, at Duv of -0.0499, 0 and 0.0499.
+/// u and v of lights from 1001 K to 990 000 K, at Duv of -0.0499, 0 and 0.0499.
 const PLANE: [[f32; 2]; 24] = [
     [0.4434701, 0.3049315],
     [0.4477768, 0.3546453],
@@ -39,7 +39,8 @@ const PLANE: [[f32; 2]; 24] = [
     [0.1316479, 0.2756011],
 ];
 
-/// Further than 0.05 from the locus, at 5192 K near the center of its curvature; the primaries of sRGB.
+/// Points further than 0.05 from the locus, at 5192 K near the center of its curvature, and the primaries of
+/// sRGB.
 const OFF: [[f32; 2]; 7] = [
     [0.2367910, 0.4063788],
     [0.2815025, 0.2737105],

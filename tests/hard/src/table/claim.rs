@@ -1,10 +1,10 @@
-//! What the table says of a row before it is computed: `claims.csv`, and `rules.csv` for behavior rather than
-//! rounding.
+//! What is written about each row by hand: `claims.csv` for the rows that are computed, and `rules.csv` for
+//! rules of behavior.
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-/// A row, or a part of one.
+/// What one row of the table claims, or one part of a row.
 #[derive(Clone, Deserialize)]
 pub struct Claim {
     /// Number of the row, and the letter of its part.
@@ -13,15 +13,16 @@ pub struct Claim {
     pub inputs: String,
     /// How errors are measured.
     pub measured: String,
-    /// What the crate's form may be off by: so many of the judge's units, and what they are called.
+    /// The error that the crate's form may have, as a multiple of the unit that the judge uses.
     pub limit: f64,
+    /// The name of that unit in the table.
     unit: String,
     pub naive: Naive,
-    /// The test that guards it, `file::name`.
+    /// The test that holds the crate's form to the limit, as `file::name`.
     pub test: String,
 }
 
-/// What becomes of the textbook's form.
+/// Whether the textbook's form stays within the limit.
 #[derive(Clone, Copy, PartialEq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Naive {
@@ -29,7 +30,7 @@ pub enum Naive {
     Holds,
 }
 
-/// A rule of behavior, and the test that pins it.
+/// A rule of behavior, and the test that holds it.
 #[derive(Deserialize)]
 pub struct Rule {
     pub rule: String,
@@ -52,13 +53,13 @@ fn rows<T: DeserializeOwned>(text: &str) -> Vec<T> {
 }
 
 impl Claim {
-    /// The number, and the letter of a part.
+    /// Splits the name of the row into its number and the letter of its part.
     pub fn place(&self) -> (u8, &str) {
         let digits = self.row.trim_end_matches(|c: char| c.is_ascii_alphabetic());
         (digits.parse().unwrap_or(0), &self.row[digits.len()..])
     }
 
-    /// The limit in words.
+    /// Writes the limit with its unit.
     pub fn tolerance(&self) -> String {
         match (self.limit, self.unit.as_str()) {
             (limit, "") if limit > 0.0 && limit < 0.01 => format!("{limit:e}"),

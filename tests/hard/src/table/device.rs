@@ -1,17 +1,18 @@
-//! What a Cortex-M4F said, as `tests/devices.sh --bless` recorded it.
+//! The results of a Cortex-M4F, as `tests/devices.sh --bless` recorded them.
 
 use std::collections::HashMap;
 
 const RECORD: &str = include_str!("../../../data/hard_m4f.txt");
 
-/// What both forms gave.
+/// The results of both forms for one input.
 #[derive(Clone, Default)]
 pub struct Numbers {
     pub naive: Vec<f32>,
     pub ours: Vec<f32>,
 }
 
-/// By row and input: with subnormal numbers, and flushing them where that makes a difference.
+/// The results by row and input, first with subnormal numbers, then with those flushed to zero where that makes
+/// a difference.
 pub struct Recorded {
     plain: HashMap<(String, usize), Numbers>,
     flushed: HashMap<(String, usize), Numbers>,
@@ -34,7 +35,7 @@ impl Recorded {
         Recorded { plain, flushed }
     }
 
-    /// Nothing is on record for what a device has not run yet; that has other bits.
+    /// Returns nothing for a row that is not on record, because no device has run it yet.
     pub fn at(&self, row: &str, k: usize) -> [Numbers; 2] {
         let key = (row.to_string(), k);
         let plain = self.plain.get(&key).cloned().unwrap_or_default();

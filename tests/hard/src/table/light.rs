@@ -30,7 +30,7 @@ pub const JUDGES: &[(&str, Judge)] = &[
     ("13", zero),
 ];
 
-/// Per nm, allowed as much as rounding the inputs costs.
+/// Judges a radiance per nm, and allows as much as the rounding of the inputs costs.
 fn radiance(at: &[f64], got: &[f64]) -> Off {
     let exact = 1e-9 * planck::radiance(at[0], at[1]);
     relative(got, &[exact]).per(3.0 * planck::x(at[0], at[1]) + 8.0)

@@ -52,7 +52,7 @@ fn products(at: &[f64], got: &[f64]) -> Off {
     in_eps(got[0], weights.iter().zip(values).map(|(w, v)| w * v).sum())
 }
 
-/// XYZ of a soap film at steps of 0.001 nm, and of the white, Y of the white 100.
+/// Returns XYZ of a soap film and of the white, from steps of 0.001 nm, with Y of the white at 100.
 fn soap(d: f64) -> [[f64; 3]; 2] {
     static KNOWN: Mutex<Vec<(f64, [[f64; 3]; 2])>> = Mutex::new(Vec::new());
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
@@ -63,7 +63,7 @@ fn soap(d: f64) -> [[f64; 3]; 2] {
     let (light, rows) = (curve(source("D65")), tables::Observer::Cie1931.published().map(curve));
     let (mut film, mut white) = ([0.0; 3], [0.0; 3]);
     for nm in 360..830 {
-        // Straight lines between the nanometers of the tables: end values suffice.
+        // Between whole nanometers the tables are straight lines, so the values at both ends suffice.
         let ends = [0, 1].map(|end| {
             let nm = f64::from(nm + end);
             rows.each_ref().map(|row| row.at(nm) * light.at(nm))
@@ -84,7 +84,7 @@ fn soap(d: f64) -> [[f64; 3]; 2] {
     seen
 }
 
-/// The spectrum of the counts, by normal equations and elimination in f64.
+/// Returns the spectrum behind the counts, by normal equations and elimination in f64.
 fn spectrum(chip: &Chip, correlation: f64, alpha: f64) -> Vec<f64> {
     let covariance = sensor::smooth_covariance(31, correlation);
     let matrix = sensor::wiener(&sensor::wide(chip.weights()), &covariance, alpha);
@@ -99,7 +99,7 @@ fn of_largest(got: &[f64], exact: &[f64]) -> Off {
     )
 }
 
-/// Differences of the samples that were not calibrated with.
+/// Returns the color differences of the samples that the calibration did not use.
 fn samples(got: &[f64]) -> Vec<f64> {
     let lamp: Fine<Power> = D65.fine();
     let seen = |light: &Fine<Power>| CIE_1931.sees(light).map(f64::from);

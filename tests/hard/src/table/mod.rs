@@ -1,8 +1,9 @@
-//! The hard-case table: what fails in f32 if it is written naively, what the crate is off by at the same
-//! inputs, on this machine and on a Cortex-M4F, what it may be off by, and the test that guards it.
+//! The table of hard cases. Each row has a form that fails in f32 as textbooks write it, the error of the crate
+//! at the same inputs on this machine and on a Cortex-M4F, the error that is allowed, and the test that holds
+//! it.
 //!
-//! The forms and inputs are those of [`nanospectra_hard::cases`], which a device runs too; [`device`] has
-//! what it said. [`claim`] has what each row claims, and what is right is computed by its [`judge`], in f64.
+//! The forms and inputs are those of [`nanospectra_hard::cases`], which a device runs too. [`device`] reads the
+//! results of the device, [`claim`] reads what each row claims, and [`judge`] measures errors against f64.
 
 mod claim;
 mod colors;
@@ -20,28 +21,28 @@ use judge::Judge;
 use nanospectra_hard::cases::{self, Cases};
 pub use text::markdown;
 
-/// What is wrong with some numbers.
+/// The errors of the results of one row.
 #[derive(Clone, Copy, Default)]
 struct Error {
     /// The largest finite error, as the row measures it.
     size: f64,
-    /// The largest finite error as a share of what is allowed there.
+    /// The largest finite error as a share of what is allowed at that input.
     share: f64,
-    /// Results that are NaN and should not be, or that are infinitely far off.
+    /// How many results are NaN and should not be; `infinite` counts those that are infinitely far off.
     nan: usize,
     infinite: usize,
 }
 
 impl Error {
-    /// Whether all is as it must be.
+    /// Returns whether every result is within its limit.
     fn within(&self) -> bool {
         self.share <= 1.0 && self.nan + self.infinite == 0
     }
 
-    /// Adds the error of these numbers.
+    /// Adds the error of the results `got` at the input `at`.
     fn add(&mut self, judge: Judge, limit: f64, at: &[f32], got: &[f32]) {
         if got.is_empty() {
-            // A device has not said yet.
+            // No device has run this row yet.
             self.nan += 1;
             return;
         }
@@ -61,7 +62,7 @@ impl Error {
 /// A row of the table, or a part of one.
 pub struct HardCase {
     pub claim: Claim,
-    /// How many inputs there are.
+    /// The number of inputs of the row.
     count: usize,
     naive: Error,
     /// The naive form on a Cortex-M4F that flushes subnormal numbers to zero.
@@ -69,12 +70,12 @@ pub struct HardCase {
     ours: Error,
     m4f: Error,
     m4f_ftz: Error,
-    /// Inputs where a Cortex-M4F has other bits than this machine, flush-to-zero off.
+    /// The number of inputs where a Cortex-M4F without flush-to-zero gives other bits than this machine.
     other_bits: usize,
 }
 
 impl HardCase {
-    /// The reasons why this row is not as it claims to be.
+    /// Returns the reasons why this row differs from what it claims.
     pub fn faults(&self) -> Vec<String> {
         let mut faults = Vec::new();
         for (place, error) in [("here", self.ours), ("on M4F", self.m4f), ("on M4F, flushing", self.m4f_ftz)]
@@ -95,7 +96,7 @@ impl HardCase {
     }
 }
 
-/// Every row, computed, in the order of their numbers.
+/// Computes every row, in the order of their numbers.
 pub fn hard_cases() -> Vec<HardCase> {
     let mut table = Table { recorded: Recorded::read(), claims: claims(), rows: Vec::new() };
     cases::all(&mut table);

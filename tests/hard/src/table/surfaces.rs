@@ -51,7 +51,8 @@ fn metal(at: &[f64], got: &[f64]) -> Off {
     relative(got, &reflectances(at[0], at[1], at[2]))
 }
 
-/// A BRDF at two cosines and a turn; 0 where light comes from below or along the surface, or goes there.
+/// Judges a BRDF at two cosines and the turn between them. The right value is 0 where light comes from below
+/// or along the surface, or leaves there.
 fn over(at: &[f64], got: &[f64], f: impl Fn(surface::Vector, surface::Vector) -> f64) -> Off {
     let direction =
         |cos: f64, turns: f64| Direction::from_cosine(cos as f32, turns as f32).to_array().map(f64::from);

@@ -4,14 +4,23 @@ use super::{Error, HardCase, rules};
 use std::fmt::Write;
 
 const INTRODUCTION: &str = "\
-<!-- By `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard`. -->
+<!-- Made by `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard`; do not edit. -->
 
 # Hard cases
 
-What the textbook's form is off by in f32, and the crate's at the same inputs, against f64: on x86-64, and on a
-Cortex-M4F with flush-to-zero off and on (as QEMU ran the image `hard`). e is 2^-24, half the distance between 1 and
-the next f32. Errors are the largest of the row's inputs; \"2 NaN\" counts results that are NaN, \"2 lost\" those that
-are infinite or infinitely far off. The naive column has a second figure where flushing changes it.
+Each row of this table is a formula that loses accuracy, or fails, when it is computed in f32 as textbooks write it.
+The column *naive* has the largest error of the textbook's form over the inputs of the row. The column *ours* has that
+of the crate's form at the same inputs, and *allowed* is what the named test permits. A computation in f64 decides what
+is right. The column *error* says how errors are measured. Where the column *naive form* names a second form after a
+semicolon, that is the crate's.
+
+* *naive* and *ours* were computed on x86-64. *M4F* and *M4F, flushing* are *ours* on a Cortex-M4F (the image `hard`
+  of `examples/firmware` in QEMU), without and with subnormal numbers flushed to zero. Where flushing changes the
+  naive form, the column *naive* has a second figure after a semicolon.
+* e is 2^-24, which is half the distance between 1 and the next f32.
+* *answers* means that no number is right, so that each number counts as an error of 1.
+* \"2 NaN\" means that two results are NaN although a number is right. \"2 lost\" means that two results are infinite
+  or infinitely far off.
 
 ";
 
@@ -23,11 +32,13 @@ const HEADING: &str = "\
 const RULES: &str = "
 ## Rules
 
+These are rules of behavior rather than of accuracy, each with the test that holds it.
+
 | rule | test |
 |---|---|
 ";
 
-/// The rows, and the rules.
+/// Writes the introduction, the table and the rules.
 pub fn markdown(cases: &[HardCase]) -> String {
     let mut text = String::from(INTRODUCTION);
     text.push_str(HEADING);
@@ -60,11 +71,11 @@ fn row(text: &mut String, case: &HardCase) {
         shown(&case.m4f_ftz, case.count),
         claim.test
     );
-    // A bar of a formula is none of the table.
+    // The bars of these formulas would be read as those of the table.
     let _ = writeln!(text, "{}", line.replace("|Δx|", "\\|Δx\\|").replace("|Duv|", "\\|Duv\\|"));
 }
 
-/// Two digits of the error, and how many results are none.
+/// Writes two digits of the error, and how many of the `count` results are NaN or lost.
 fn shown(error: &Error, count: usize) -> String {
     let size = match error.size {
         0.0 => String::from("0"),

@@ -1,8 +1,9 @@
-//! Correlated color temperature as others have it: McCamy's cubic, Robertson's isotherms, Ohno's table.
+//! Correlated color temperature by methods of others: McCamy's cubic, Robertson's isotherms and Ohno's table.
 
 use nanospectra::math::sqrt;
 
-/// McCamy's approximation: K from x and y, made for lights near the locus between 2856 and 6504 K. No Duv.
+/// Returns the temperature in K for x and y by McCamy's approximation, which was made for lights near the locus
+/// between 2856 and 6504 K. It gives no Duv.
 ///
 /// # Reference
 /// C. S. McCamy, "Correlated color temperature as an explicit function of chromaticity coordinates", Color
@@ -53,16 +54,16 @@ pub static ISOTHERMS: [[f32; 4]; 31] = [
     [600.0, 0.33724, 0.36051, -116.45],
 ];
 
-/// K and Duv by Robertson's method, from 1667 K up; `None` for what is redder, and for NaN.
+/// Returns K and Duv by Robertson's method, from 1667 K up, and `None` for redder lights and for NaN.
 ///
-/// Between the two isotherms that have the point between them everything is interpolated by the distances
-/// from the two: the temperature, the point of the locus, and the direction in which Duv grows.
+/// The point lies between two isotherms. By its distances from the two, the temperature, the point of the locus
+/// and the direction in which Duv grows are interpolated.
 #[must_use]
 pub fn robertson([u, v]: [f32; 2]) -> Option<[f32; 2]> {
     let mut before: Option<(&[f32; 4], f32)> = None;
     for line in &ISOTHERMS {
         let [_, on_u, on_v, slope] = line;
-        // Times the length of (1, slope), which is only wanted of two.
+        // The distance times the length of (1, slope), which is only needed for two of the isotherms.
         let here = (v - on_v) - slope * (u - on_u);
         match before {
             Some((last, there)) if there * here <= 0.0 => {
@@ -74,7 +75,7 @@ pub fn robertson([u, v]: [f32; 2]) -> Option<[f32; 2]> {
     None
 }
 
-/// K and Duv between two isotherms, the distances from which are times the length of (1, slope).
+/// Returns K and Duv between two isotherms, given the distances from both times the length of (1, slope).
 fn between([u, v]: [f32; 2], [a, b]: [&[f32; 4]; 2], [from_a, from_b]: [f32; 2]) -> [f32; 2] {
     let ([mired_a, u_a, v_a, slope_a], [mired_b, u_b, v_b, slope_b]) = (a, b);
     let inverse = |slope: &f32| 1.0 / sqrt(1.0 + slope * slope);
@@ -83,7 +84,7 @@ fn between([u, v]: [f32; 2], [a, b]: [&[f32; 4]; 2], [from_a, from_b]: [f32; 2])
     let part = from_a / (from_a - from_b);
     let at = |a: f32, b: f32| a + part * (b - a);
     let (du, dv) = (u - at(*u_a, *u_b), v - at(*v_a, *v_b));
-    // Towards green is up and to the left.
+    // Green lies up and to the left of the locus.
     let (left, up) = (at(length_a, length_b), at(-slope_a * length_a, -slope_b * length_b));
     [1e6 / at(*mired_a, *mired_b), (dv * up - du * left) / sqrt(left * left + up * up)]
 }
@@ -93,12 +94,12 @@ fn between([u, v]: [f32; 2], [a, b]: [&[f32; 4]; 2], [from_a, from_b]: [f32; 2])
 /// Made from the CIE 1931 functions by `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard`.
 pub static LOCUS: [[f32; 3]; 466] = include!("locus_1_percent.txt");
 
-/// K and Duv by Ohno's method on his table of 1 % steps: the triangle of the nearest point and its two
-/// neighbors, and from |Duv| = 0.002 on a parabola through their distances. `None` beyond the ends of the
-/// table.
+/// Returns K and Duv by Ohno's method on his table in steps of 1 %, and `None` beyond the ends of the table. It
+/// uses the triangle of the nearest point and its two neighbors, and from |Duv| = 0.002 on a parabola through
+/// their distances.
 ///
-/// The whole table is searched. The differences of squares are taken as products: the same numbers, which f32
-/// would lose as he writes them.
+/// The whole table is searched. Differences of squares are computed as products, since f32 would lose them in
+/// the form in which he writes them.
 ///
 /// # Reference
 /// Y. Ohno, "Practical use and calculation of CCT and Duv", Leukos 10 (2014).
@@ -114,7 +115,7 @@ pub fn ohno([u, v]: [f32; 2]) -> Option<[f32; 2]> {
     }
     let three = LOCUS.get(nearest.checked_sub(1)?..)?;
     let [cold @ [t0, u0, v0], middle @ [t1, u1, v1], hot @ [t2, u2, v2]] = three.first_chunk::<3>()?;
-    // The triangle: how far along its base, from the cold end, the point stands.
+    // The triangle: how far the point stands along its base, from the cold end.
     let (along_u, along_v) = (u2 - u0, v2 - v0);
     let base = along_u * along_u + along_v * along_v;
     let part = ((u - u0) * along_u + (v - v0) * along_v) / base;
@@ -126,14 +127,15 @@ pub fn ohno([u, v]: [f32; 2]) -> Option<[f32; 2]> {
         return Some([(t0 + part * (t2 - t0)) * 0.99991, sign * duv]);
     }
     let [d0, d1, d2] = [cold, middle, hot].map(|entry| sqrt(square(entry)));
-    // Of two points: the squared distance of one less that of the other.
+    // The squared distance of one of two points less that of the other.
     let less = |[ua, va]: [f32; 2], [ub, vb]: [f32; 2]| {
         (ub - ua) * ((u - ua) + (u - ub)) + (vb - va) * ((v - va) + (v - vb))
     };
     let first = less([*u0, *v0], [*u1, *v1]) / ((d0 + d1) * (t0 - t1));
     let second = less([*u1, *v1], [*u2, *v2]) / ((d1 + d2) * (t1 - t2));
     let a = (second - first) / (t2 - t0);
-    // From the nearest of the three, whose slope is the mean of the two chords weighed by the other's length.
+    // From the nearest of the three points, whose slope is the mean of the two chords, each weighted by the
+    // length of the other.
     let slope = first + a * (t1 - t0);
     let step = -slope / (2.0 * a);
     Some([t1 + step, sign * (d1 + step * (slope + a * step))])

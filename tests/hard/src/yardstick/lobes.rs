@@ -1,8 +1,8 @@
-//! The CIE 1931 functions as sums of lobes: no table, but seven exponentials for a wavelength.
+//! The CIE 1931 functions as sums of lobes, which need no table but seven exponentials for each wavelength.
 
 use nanospectra::math::Math;
 
-/// x, y and z bar at a wavelength in nm, by the fit of seven piecewise Gaussian lobes.
+/// Returns x, y and z bar at a wavelength in nm, by the fit of seven piecewise Gaussian lobes.
 ///
 /// # Reference
 /// C. Wyman, P.-P. Sloan, P. Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching

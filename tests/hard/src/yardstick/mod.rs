@@ -1,5 +1,5 @@
-//! What others do: published methods to measure the crate against, on a host and on devices. Plain f32 from
-//! the formulas, without the crate's own shortcuts.
+//! Published methods of others, to compare the crate with on a host and on devices. They follow the published
+//! formulas in f32, without the crate's own shortcuts.
 
 pub mod cct;
 pub mod lobes;

@@ -1,6 +1,6 @@
-//! Color without a spectrum: what a renderer in RGB does with a light and a surface.
+//! Color without a spectrum, as a renderer in RGB multiplies a light by a surface.
 
-/// Linear sRGB to XYZ, Y = 100 for white: from the primaries and the white of the standard.
+/// The matrix from linear sRGB to XYZ with Y = 100 for white, from the primaries and the white of the standard.
 ///
 /// # Reference
 /// IEC 61966-2-1:1999.
@@ -10,9 +10,10 @@ const TO_XYZ: [[f32; 3]; 3] = [
     [1.933_082, 11.919_478, 95.053_215],
 ];
 
-/// XYZ of a surface under a light, both in linear sRGB: component by component, then the matrix.
+/// Returns XYZ of a surface under a light, both given in linear sRGB: multiplies component by component, then
+/// applies the matrix.
 ///
-/// The surface's is its color under D65, with (1, 1, 1) for a perfect white.
+/// The surface is given by its color under D65, where a perfect white is (1, 1, 1).
 #[must_use]
 pub fn rgb_product(light: [f32; 3], surface: [f32; 3]) -> [f32; 3] {
     let ([lr, lg, lb], [sr, sg, sb]) = (light, surface);

@@ -1,10 +1,10 @@
-//! Sums of products, in the order that comes to mind and in the order that textbooks advise.
+//! Sums of products, taken one after the other and pairwise, as textbooks advise.
 //!
 //! # Reference
-//! N. J. Higham, "The accuracy of floating point summation", SIAM J. Sci. Comput. 14 (1993): the error grows
-//! with the number of terms one after the other, and with its logarithm pairwise.
+//! N. J. Higham, "The accuracy of floating point summation", SIAM J. Sci. Comput. 14 (1993): one after the other
+//! the error grows with the number of terms, and pairwise with its logarithm.
 
-/// One after the other; of two slices of one length.
+/// Sums the products of two slices of the same length, one after the other.
 #[must_use]
 pub fn naive(a: &[f32], b: &[f32]) -> f32 {
     let mut sum = 0.0;
@@ -14,8 +14,8 @@ pub fn naive(a: &[f32], b: &[f32]) -> f32 {
     sum
 }
 
-/// The sum of the halves, down to 32 terms or fewer, which go one after the other: with fewer the calls cost
-/// more than the sums.
+/// Sums the products of two slices by adding the sums of their halves, down to 32 terms or fewer, which are
+/// summed one after the other. With smaller pieces the calls would cost more than the sums.
 #[must_use]
 pub fn pairwise(a: &[f32], b: &[f32]) -> f32 {
     let half = a.len() / 2;

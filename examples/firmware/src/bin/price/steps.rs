@@ -1,5 +1,5 @@
-//! Prints what each step of a reading costs, one `name number unit` per line: instructions and bytes of
-//! stack, of the dearest of several inputs.
+//! Prints the cost of each step of a reading as lines `name number unit`: instructions and bytes of stack, for
+//! the input with the highest cost.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! Prints what a whole reading costs, as `price` does for its steps. An image of its own: where two functions
-//! share a step, the compiler calls it, and here nothing is shared, as in an instrument.
+//! Prints the cost of a whole reading, as `price` does for its steps. It is an image of its own because the
+//! compiler calls a step that two functions share, and in an instrument nothing is shared.
 #![no_std]
 #![no_main]
 

@@ -1,8 +1,8 @@
-//! The panic handler of an image that does not link if a panic can be reached. (Part of the images, since
-//! most of them are measured to the byte without the library of images.)
+//! The panic handler of an image that does not link if a panic can be reached. It is a module of the images and
+//! not of the library that they share, since most of them are measured to the byte without that library.
 
 unsafe extern "C" {
-    /// Defined nowhere.
+    /// A function that is defined nowhere, so that linking fails if it is called.
     safe fn this_image_can_panic() -> !;
 }
 
