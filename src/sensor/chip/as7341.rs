@@ -46,8 +46,8 @@ pub static GAINS: [f32; 11] = [0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0,
 
 /// The names of the channels F1 to F8, which are sorted by wavelength.
 ///
-/// Drivers give clear and near infrared behind them, which [`NOMINAL`] does not have. See the module's
-/// [example](self#example).
+/// Drivers give clear and near infrared too, behind F8 or behind both F4 and F8, which [`NOMINAL`] does not
+/// have. See the module's [example](self#example).
 pub static CHANNELS: [&str; 8] = ["f1", "f2", "f3", "f4", "f5", "f6", "f7", "f8"];
 
 ladder! {

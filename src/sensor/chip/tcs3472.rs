@@ -4,13 +4,21 @@
 //! # Example
 //!
 //! ```
+//! use nanospectra::sensor::Calibration;
 //! use nanospectra::sensor::chip::tcs3472;
 //!
 //! let exposure = tcs3472::exposure(4.0, 0xf6); // gain 4, 10 cycles of 2.4 ms
-//! let [clear, red, green, blue] = [3000_u16, 960, 1200, 700]; // in the order of the registers
+//! let [clear, red, green, blue] = [2800_u16, 960, 1200, 700]; // in the order of the registers
 //! let basic = exposure.basic_counts(&[red, green, blue, clear])?; // in the order of `CHANNELS`
 //! assert!((basic.values()[0] - 10.0).abs() < 1e-5); // 960 / (4 * 24)
 //! assert_eq!(tcs3472::CHANNELS[0], "red");
+//!
+//! // Illuminance by DN40, for a chip without a window: 310 (0.136 R + G - 0.444 B), where the infrared light,
+//! // (R + G + B - C) / 2, has been subtracted from R, G and B. As one row:
+//! static TO_LUX: Calibration<4, 1> = Calibration::from_rows([[-0.21, 0.654, -0.79, 0.346]]).scaled(310.0);
+//! let [lux] = TO_LUX.apply(&basic);
+//! assert!((lux - 3225.9).abs() < 0.1); // 310 (0.136 * 930 + 1170 - 0.444 * 670) / (4 * 24)
+//!
 //! let (gain, atime) = tcs3472::LADDER_SETTINGS[3];
 //! assert_eq!(tcs3472::LADDER[3], tcs3472::exposure(gain, atime));
 //! # Ok::<(), nanospectra::sensor::ReadingError>(())
