@@ -85,7 +85,10 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
         })
     });
     lane.step("documentation of every public item", docs::check);
-    lane.step("documentation as docs.rs builds it", docs::labels::check);
+    lane.step("documentation as docs.rs builds it", |shell| {
+        docs::labels::check(shell)?;
+        docs::links::check(shell)
+    });
 }
 
 /// Runs a command for every package by itself. If it fails for one, the others still run.

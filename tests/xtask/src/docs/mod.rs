@@ -4,6 +4,7 @@
 mod examples;
 mod items;
 pub mod labels;
+pub mod links;
 mod sentence;
 
 use crate::shell::{Outcome, Shell, root};
