@@ -64,14 +64,16 @@ fn faults(pages: &BTreeMap<PathBuf, String>) -> Vec<String> {
 fn joined(page: &Path, link: &str) -> Option<PathBuf> {
     let mut path = page.parent()?.to_path_buf();
     for part in Path::new(link).components() {
-        match part {
-            Component::ParentDir => {
-                if !path.pop() {
-                    return None;
-                }
+        let is_below = match part {
+            Component::ParentDir => path.pop(),
+            Component::Normal(name) => {
+                path.push(name);
+                true
             }
-            Component::Normal(name) => path.push(name),
-            _ => {}
+            _ => true,
+        };
+        if !is_below {
+            return None;
         }
     }
     Some(path)
