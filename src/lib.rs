@@ -16,11 +16,12 @@
 //! // CIE 15 says 4000 K.
 //! assert!((cct_k - 3998.0).abs() < 8.0 && duv.abs() < 1e-3);
 //!
-//! // An eye under this lamp that reads a reflectance of 16 numbers: 192 bytes, made by the compiler.
+//! // An eye under this lamp that reads a reflectance of 16 numbers. The compiler makes it.
 //! static EYE: Observer<3, 16> = CIE_1931
 //!     .under(&light::FL11.fine())
 //!     .fold(Curve::Spline)
 //!     .with_white_y(100.0);
+//! assert_eq!(size_of_val(&EYE), 192); // bytes
 //! let gray = Reflectance::flat(0.5);
 //! let [_, y, _] = EYE.sees(&gray);
 //! assert!((y - 50.0).abs() < 1e-4);
@@ -59,7 +60,7 @@
 //! * [`upsample`] finds a smooth reflectance for an RGB color.
 //! * [`radiometry`] has quantities with units, solid angles, form factors, lux, melanopic and photon
 //!   quantities.
-//! * [`sensor`] turns raw counts into color, with calibration, uncertainty, and integers only if need be.
+//! * [`sensor`] turns raw counts into color, with calibration and uncertainty, in floats or in integers.
 //! * [`geometry`] has directions and integrals over the hemisphere, and [`math`] the elementary functions.
 //!
 //! # Conventions in brief

@@ -175,7 +175,7 @@ impl Price {
 /// assert_eq!((scene.price().multiply_adds, scene.price().bytes), (2 * 31, 3 * 31 * 4));
 /// ```
 pub trait Priced {
-    /// The price that is paid to compute all bins once. See the [example](#example).
+    /// The price that is paid to compute all bins once. See the [example](Priced#example).
     const PRICE: Price;
     /// How many multiplications of [`PRICE`](Self::PRICE) are repeated if the bins are read a second time.
     ///

@@ -44,10 +44,12 @@ pub struct Node {
 /// assert!((sum - e).abs() < 1e-6);
 /// ```
 pub trait Hemisphere {
-    /// Returns the pieces into which the rule divides the hemisphere. See the [example](#example).
+    /// Returns the pieces into which the rule divides the hemisphere. See the [example](Hemisphere#example).
     fn nodes(&self) -> impl Iterator<Item = Node>;
 
-    /// Returns the integral of `f` over the solid angle of the hemisphere. See the [example](#example).
+    /// Returns the integral of `f` over the solid angle of the hemisphere.
+    ///
+    /// See the [example](Hemisphere#example).
     ///
     /// `f` returns a number, a spectrum, or any other [`Integrand`].
     fn integrate<V: Integrand>(&self, mut f: impl FnMut(Direction) -> V) -> V {
@@ -59,7 +61,7 @@ pub trait Hemisphere {
     /// Returns the integral of `f` times the cosine of the zenith angle, which gives irradiance for a
     /// radiance.
     ///
-    /// See the [example](#example).
+    /// See the [example](Hemisphere#example).
     fn integrate_projected<V: Integrand>(&self, mut f: impl FnMut(Direction) -> V) -> V {
         let mut total = Total::new();
         self.nodes().for_each(|node| total.add(f(node.direction) * node.projected_sr));

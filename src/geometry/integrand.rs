@@ -39,16 +39,20 @@ pub trait Integrand: Copy + Add<Output = Self> + Mul<f32, Output = Self> {
     /// ```
     fn accumulate(&mut self, lost: &mut Self, value: &Self);
 
-    /// Returns the value with a function applied to each of its numbers. See the [example](#example).
+    /// Returns the value with a function applied to each of its numbers.
+    ///
+    /// See the [example](Integrand#example).
     #[must_use]
     fn map(self, f: impl Fn(f32) -> f32) -> Self;
 
-    /// Returns the largest of the value's numbers, or NaN if one of them is. See the [example](#example).
+    /// Returns the largest of the value's numbers, or NaN if one of them is.
+    ///
+    /// See the [example](Integrand#example).
     fn peak(&self) -> f32;
 
     /// Returns the largest absolute difference between the numbers of two values, or NaN if one of them is.
     ///
-    /// See the [example](#example).
+    /// See the [example](Integrand#example).
     fn distance(&self, other: &Self) -> f32;
 }
 

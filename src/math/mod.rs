@@ -12,7 +12,7 @@
 //! | [`Fast`] | | on a microcontroller: f32 kernels of this crate that take about half the instructions |
 //! | [`Portable`] | `libm` (default) | to have accurate digits and the same bits on every target |
 //! | [`Libm`] | `libm` (default) | to compare with: all functions of the `libm` crate, some in slow f64 |
-//! | [`Std`](struct@Std) | `std` | on a host, for the functions of its standard library |
+//! | [`Std`][struct@Std] | `std` | on a host, for the functions of its standard library |
 //! | [`Micromath`] | `micromath` | to see what that crate's approximations do to colors |
 //!
 //! # Example
@@ -37,6 +37,14 @@
 //! assert_eq!((cos_turns(0.5), sin_turns(0.25)), (-1.0, 1.0)); // 180 and 90 degrees
 //! # Ok::<(), &str>(())
 //! ```
+#![cfg_attr(
+    not(all(feature = "std", not(target_os = "none"))),
+    doc = "\n[struct@Std]: https://docs.rs/nanospectra/latest/nanospectra/math/struct.Std.html"
+)]
+#![cfg_attr(
+    not(feature = "micromath"),
+    doc = "\n[`Micromath`]: https://docs.rs/nanospectra/latest/nanospectra/math/struct.Micromath.html"
+)]
 
 mod backend;
 mod complex;

@@ -49,7 +49,7 @@ use core::array::from_ref;
 )]
 pub trait Effect<const N: usize, G = Bins<380, 730>> {
     /// Returns the light that leaves the matter, in all bins, when `light` falls on it. See the
-    /// [example](#example).
+    /// [example](Effect#example).
     fn leaving(&self, light: &Spectrum<Power, N, G>) -> Spectrum<Power, N, G>;
 }
 
@@ -83,12 +83,12 @@ pub trait Effect<const N: usize, G = Bins<380, 730>> {
 /// ```
 pub trait Glows<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// Returns the factor by which the emission spectrum is multiplied under this light. See the
-    /// [example](#example).
+    /// [example](Glows#example).
     fn glow_in(&self, light: &Spectrum<Power, N, G>) -> f32;
 
     /// Computes the light that leaves in bin `k`, from the light that comes in that bin and the glow.
     ///
-    /// The result is NaN where `k` is not below `N`. See the [example](#example).
+    /// The result is NaN where `k` is not below `N`. See the [example](Glows#example).
     fn leaving_bin(&self, k: usize, incoming: f32, glow: f32) -> f32;
 }
 
@@ -163,7 +163,7 @@ pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     ///
     /// This is the transpose of [`leaving`](Effect::leaving). The provided function calls `leaving` for light
     /// in one bin after the other, which costs `N` times as much as one call. Its result means nothing for
-    /// matter that is not linear, and is NaN where `leaving` is NaN. See the [example](#example).
+    /// matter that is not linear, and is NaN where `leaving` is NaN. See the [example](Foldable#example).
     fn transposed(&self, weights: &[f32; N]) -> [f32; N] {
         let mut before = [0.0; N];
         for (k, before) in before.iter_mut().enumerate() {
@@ -175,7 +175,7 @@ pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     /// Returns the plain reflectance that remains if the effect is left out.
     ///
     /// The provided function returns, for each bin, the share of its light that leaves in the same bin. See
-    /// the [example](#example).
+    /// the [example](Foldable#example).
     fn without_effect(&self) -> Spectrum<Factor, N, G> {
         let mut shares = [0.0; N];
         for (k, share) in shares.iter_mut().enumerate() {
@@ -185,7 +185,7 @@ pub trait Foldable<const N: usize, G = Bins<380, 730>>: Effect<N, G> {
     }
 
     /// Returns the name under which the matter is listed in [bills](crate::path::Scene::bill). See the
-    /// [example](#example).
+    /// [example](Foldable#example).
     fn name(&self) -> &'static str {
         "effect"
     }

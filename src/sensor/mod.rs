@@ -6,8 +6,9 @@
 //!
 //! # Example
 //!
-//! An AS7341 with the nominal responsivities of its data sheet. The compiler works out the calibration, 96
-//! bytes; what runs on the device is a division by gain and time and one matrix product.
+//! This is an AS7341 with the nominal responsivities of its data sheet. The compiler works out the
+//! calibration, which has 96 bytes. What runs on the device is a division by gain and time and one matrix
+//! product.
 //!
 //! ```
 //! use nanospectra::color::Cct;

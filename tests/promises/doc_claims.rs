@@ -76,8 +76,8 @@ fn every_count_and_every_figure_of_the_pages_is_held() {
     assert!(faults.is_empty(), "these counts have no row in tests/data/claims.txt:\n{faults}");
 }
 
-/// Instructions, bytes and figures with a fraction in README.md and the guides; instructions where costs are named;
-/// bytes besides where a reader looks first.
+/// Instructions, bytes, times, shares and figures with a fraction in README.md and the guides; instructions where
+/// costs are named; bytes besides where a reader looks first.
 fn unheld_counts(title: &str, section: &Section, entry: Option<&Entry>) -> String {
     let first = HEADLINES.contains(&title);
     let page = title.contains(".md ");
@@ -87,7 +87,9 @@ fn unheld_counts(title: &str, section: &Section, entry: Option<&Entry>) -> Strin
     for (k, number) in section.numbers.iter().enumerate() {
         let count = match number.unit.as_str() {
             "instructions" => costs,
-            "bytes" | "KB" => first || page,
+            "bytes" | "KB" | "kB" | "KiB" | "MB" => first || page,
+            // (A share may be an input too: then its section says so in code.)
+            "cycles" | "ns" | "%" | "mired" => page && !number.in_code,
             _ => page && number.is_bound(),
         };
         if count && places.iter().all(|(.., place)| *place != k) {
@@ -267,6 +269,11 @@ fn what_is_ambiguous_lost_or_of_two_builds_is_found() {
     let sections = sections(&Texts::from([("README.md".to_string(), readme.to_string())]));
     let section = &sections["README.md nanospectra"];
     let entry = |rows: &str| entries(&format!("README.md nanospectra\n{rows}\n")).remove(0);
+    let worded = "# Cost\n<!-- cost: counts -->\n| a | 123 / 170 | 0.009 mired |\n<!-- end -->\n30 % of 5 ns and 2 KiB\n";
+    let worded =
+        crate::claims::sections::sections(&Texts::from([("README.md".to_string(), worded.to_string())]));
+    let unheld = unheld_counts("README.md Cost", &worded["README.md Cost"], None);
+    assert_eq!(unheld.lines().count(), 4, "{unheld}");
     for rows in [
         "  444 record M4F release instructions a",
         "  444#3 record M4F release instructions a",

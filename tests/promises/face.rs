@@ -1,14 +1,10 @@
 //! README.md is short, and what it shows is part of the package, since crates.io shows it too.
 
 use crate::claims::held::read;
+use crate::pages::links;
 
 /// What the package holds, as `include` of Cargo.toml has it.
 const PACKAGED: [&str; 3] = ["src/", "tables/", "LICENSE-"];
-
-/// The targets of links and pictures.
-fn targets(page: &str) -> impl Iterator<Item = &str> {
-    page.split("](").skip(1).filter_map(|rest| rest.split(')').next())
-}
 
 #[test]
 fn the_readme_is_read_in_two_minutes() {
@@ -22,7 +18,8 @@ fn the_readme_is_read_in_two_minutes() {
 #[test]
 fn what_the_readme_shows_is_in_the_package() {
     let readme = read("README.md");
-    let local: Vec<&str> = targets(&readme).filter(|target| !target.starts_with("https://")).collect();
+    let local: Vec<String> =
+        links(&readme).into_iter().filter(|target| !target.starts_with("https://")).collect();
     for target in &local {
         assert!(PACKAGED.iter().any(|folder| target.starts_with(folder)), "{target} is not in the package");
         assert!(!read(target).is_empty());

@@ -10,6 +10,7 @@ mod matter;
 mod modules;
 mod names;
 mod order;
+mod pages;
 mod path_cost;
 mod programs;
 mod refusals;

@@ -29,7 +29,7 @@ use core::marker::PhantomData;
 /// ```
 pub trait FilmIndices {
     /// Returns the indices at the wavelength `nm` of the medium that the light comes from, of the film, and
-    /// of the medium behind it. See the [example](#example).
+    /// of the medium behind it. See the [example](FilmIndices#example).
     fn at(&self, nm: f32) -> [f32; 3];
 }
 

@@ -26,7 +26,7 @@ pub trait Brdf {
     /// Evaluates the BRDF for light that comes from `wi` and leaves towards `wo`, in 1/sr, 0 or more.
     ///
     /// The cosine of the angle of incidence is not included. The value is 0 where either direction is at or
-    /// below the horizon, and NaN where a direction is NaN. See the [example](#example).
+    /// below the horizon, and NaN where a direction is NaN. See the [example](Brdf#example).
     fn f(&self, wo: Direction, wi: Direction) -> Self::Value;
 }
 

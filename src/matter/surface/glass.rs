@@ -25,11 +25,11 @@ pub trait Glass {
     /// Computes the refractive index at the wavelength `nm`, relative to air, as makers of glass measure it.
     ///
     /// The result is `None` where the formula gives no index, beside a resonance, and where `nm` is not above
-    /// 0. See the [example](#example).
+    /// 0. See the [example](Glass#example).
     fn index(&self, nm: f32) -> Option<f32>;
 
     /// Computes the index at the center of each bin, or `None` if there is none in one of them. See the
-    /// [example](#example).
+    /// [example](Glass#example).
     fn indices<const N: usize, G: Grid>(&self) -> Option<Spectrum<RefractiveIndex, N, G>> {
         let mut indices = Spectrum::from_bins([0.0; N]);
         for (k, index) in indices.values_mut().iter_mut().enumerate() {

@@ -30,7 +30,7 @@ pub trait Reflector {
     /// Computes the reflectance for unpolarized light, 0..=1.
     ///
     /// `cos_i` is the cosine of the angle of incidence; below 0 or above 1 it counts as the nearer end. See
-    /// the [example](#example).
+    /// the [example](Reflector#example).
     fn reflectance(&self, cos_i: f32) -> Self::Value;
 }
 

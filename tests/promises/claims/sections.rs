@@ -18,7 +18,7 @@ pub struct Number {
     /// The word behind it.
     pub unit: String,
     /// Between backticks: an input or a constant, as code has it.
-    in_code: bool,
+    pub in_code: bool,
 }
 
 impl Number {
@@ -101,19 +101,26 @@ pub fn sections(texts: &Texts) -> BTreeMap<String, Section> {
     found
 }
 
+/// Tables that a page words itself. `examples/cost` makes only the counts in them, and all of the others.
+const WORDED: [&str; 2] = ["<!-- cost: counts -->", "<!-- cost: paths -->"];
+
 /// Text below headings.
 #[derive(Default)]
 struct Block {
     parts: Vec<(String, Vec<Number>)>,
     in_module: bool,
-    /// In an example, or in a table that `examples/cost` makes.
+    /// In an example, or in a table that `examples/cost` makes whole.
     skips: bool,
 }
 
 impl Block {
     fn read(&mut self, offset: usize, line: &str) {
-        if ["```", "<!-- cost:", "<!-- end"].iter().any(|mark| line.starts_with(mark)) {
+        if line.starts_with("```") {
             self.skips = !self.skips;
+            return;
+        }
+        if ["<!-- cost:", "<!-- end"].iter().any(|mark| line.starts_with(mark)) {
+            self.skips = line.starts_with("<!-- cost:") && !WORDED.contains(&line);
             return;
         }
         let heading = line.trim_start_matches('#').strip_prefix(' ').filter(|_| line.starts_with('#'));

@@ -55,3 +55,26 @@ impl Lamp {
 pub mod shades {
     fn private() {}
 }
+
+/// Is a trait of what gives light.
+///
+/// # Example
+/// ```
+/// use badly_documented::{Glows, Lamp};
+/// assert_eq!(Lamp::on().power(), 1.0);
+/// ```
+pub trait Glows {
+    /// Returns the light that this gives; see the [example](#example).
+    fn light(&self) -> f32;
+
+    /// Returns the power that this takes; see the [example](Glows#example).
+    fn power(&self) -> f32 {
+        1.0
+    }
+}
+
+impl Glows for Lamp {
+    fn light(&self) -> f32 {
+        self.watts
+    }
+}

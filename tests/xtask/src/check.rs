@@ -74,6 +74,9 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
             let shell = shell.again().with("RUSTDOCFLAGS", flags);
             shell.run(&format!("cargo doc --no-deps --all-features -p {name}"))
         };
+        // What `cargo doc` shows to users. Links to items that need a feature which is off must lead somewhere, too.
+        let users = shell.again().with("RUSTDOCFLAGS", "-D warnings");
+        users.run("cargo doc --no-deps -p nanospectra")?;
         page("nanospectra", "-D warnings")?;
         // The documentation of the other packages is for their developers.
         let others = packages.iter().filter(|package| package.has_library && package.name != "nanospectra");
@@ -82,7 +85,10 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
         })
     });
     lane.step("documentation of every public item", docs::check);
-    lane.step("documentation as docs.rs builds it", docs::labels::check);
+    lane.step("documentation as docs.rs builds it", |shell| {
+        docs::labels::check(shell)?;
+        docs::links::check(shell)
+    });
 }
 
 /// Runs a command for every package by itself. If it fails for one, the others still run.

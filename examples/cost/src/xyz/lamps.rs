@@ -43,6 +43,9 @@ impl Class {
     }
 }
 
+/// How many lamps each class has, which the guide to bands says.
+const COUNTS: [usize; 6] = [10, 15, 12, 23, 10, 6];
+
 /// The tabulated lamps of each class, by their names in `tests/data/spectra/sources_index.csv`.
 const TABLES: [(Class, &str); 5] = [
     (Class::Smooth, "A C D50 D65 D75"),
@@ -99,7 +102,9 @@ pub fn all() -> Vec<Lamp> {
         class: Class::Lines,
         points: (0..=4700).map(|k| 360.0 + f64::from(k) / 10.0).map(|nm| (nm, of_lines(lines, nm))).collect(),
     });
-    tables.chain(bodies).chain(lines).collect()
+    let lamps: Vec<Lamp> = tables.chain(bodies).chain(lines).collect();
+    assert_eq!(CLASSES.map(|class| lamps.iter().filter(|lamp| lamp.class == class).count()), COUNTS);
+    lamps
 }
 
 /// Returns the power of some lines at a wavelength. Each line is a Gaussian.

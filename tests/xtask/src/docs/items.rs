@@ -16,6 +16,8 @@ pub struct Item<'a> {
     pub links: &'a HashMap<String, Id>,
     /// The item whose page shows this one: the type of a method, or the item itself.
     pub page: Id,
+    /// Whether it is an item of a trait, which the pages of all types with that trait show too.
+    pub is_of_trait: bool,
 }
 
 /// All the items that users of a crate see, each once, also if there are several paths to it.
@@ -74,6 +76,8 @@ impl<'a> Walk<'a> {
             docs: item.docs.as_deref().unwrap_or_default(),
             links: &item.links,
             page: page.unwrap_or(id),
+            is_of_trait: page
+                .is_some_and(|page| matches!(self.library.index[&page].inner, ItemEnum::Trait(_))),
         });
         // The crate's name says nothing in the path of each of its items.
         let path = if id == self.library.root { "" } else { path.as_str() };

@@ -4,6 +4,7 @@
 mod examples;
 mod items;
 pub mod labels;
+pub mod links;
 mod sentence;
 
 use crate::shell::{Outcome, Shell, root};
@@ -118,6 +119,9 @@ impl Item<'_> {
     fn shows(&self, link: &str, library: &Crate, items: &[Item]) -> Result<(), String> {
         let (target, fragment) = match (self.links.get(link), link.split_once('#')) {
             (Some(target), fragment) => (*target, fragment.map(|(_, fragment)| fragment)),
+            (None, Some(("", _))) if self.is_of_trait => {
+                return Err("which has to name the trait: the pages of types show it too".to_owned());
+            }
             (None, Some(("", fragment))) => (self.page, Some(fragment)),
             (None, _) => return Err("which is no item of this crate".to_owned()),
         };
@@ -164,10 +168,14 @@ mod tests {
             ),
             format!("{file}:51: `Lamp::COLD` does not begin with a sentence"),
             format!("{file}:55: `shades` is a module without an example"),
+            format!(
+                "{file}:68: `Glows::light` has a link to an example, `#example`, which has to name the trait: the \
+                 pages of types show it too"
+            ),
         ];
         let mut faults = found.faults;
         faults.sort_by_key(|fault| fault.split(':').nth(1).map(|line| line.parse::<usize>().unwrap()));
         assert_eq!(faults, expected, "{faults:#?}");
-        assert_eq!((found.items, found.own, found.linked), (11, 1, 1));
+        assert_eq!((found.items, found.own, found.linked), (14, 2, 2));
     }
 }
