@@ -90,10 +90,12 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
     ///   chromaticity that the space defines. Components of the light may be above 1.
     ///
     /// # Accuracy
-    /// On grids of 6 bands or more that cover 400..=700 nm, the color is within 3e-4 CIEDE2000 of that in
-    /// [`RgbBands`], for every color that a sigmoid can have; all colors of sRGB are such colors. Any other
-    /// color is replaced by the nearest one in the sense of least squares, and a surface brighter than white
-    /// becomes white. Call [`Sigmoid`] yourself to be told by a [`Status`](crate::upsample::Status). On a
+    /// On grids of 31 bands or more that cover 400..=700 nm, the color is within 3e-4 CIEDE2000 of that in
+    /// [`RgbBands`], for every color that a sigmoid can have; on fewer bands, but at least 6, it can be a few
+    /// times as far off. From 16 bands on a sigmoid can have all colors of sRGB. Any other color is replaced
+    /// by the nearest one in the sense of least squares, and a surface brighter than white becomes white.
+    /// Call [`Sigmoid`] yourself to be told by a [`Status`](crate::upsample::Status). An observer that is
+    /// folded by another curve than [`Observer::standard`] sees another color, most of all on few bands. On a
     /// grid NaN, infinities and a light above 1.7e38 give NaN. After further surfaces and under other lights
     /// the spectrum behaves as a smooth paint does, and [`RgbBands`] says by how much RGB is off.
     ///

@@ -17,7 +17,8 @@ use core::marker::PhantomData;
 /// This holds exactly, since the matrix is made from the primaries of the space and from the sums of the
 /// observer's own weights on this grid, and not from the white point that the standard rounds to four digits.
 ///
-/// Fold the observer with [`Curve::Step`](crate::Curve::Step), whose weights are not negative.
+/// Fold the observer with [`Curve::Step`](crate::Curve::Step), whose weights are not negative, unless another
+/// one looks at the spectra: a color is exact for the observer that it was solved for.
 ///
 /// # Example
 /// ```
