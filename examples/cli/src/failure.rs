@@ -1,29 +1,43 @@
-//! Defines the failure that stops the program, with one line for a person and exit code 2.
+//! Defines the failure that stops the program, with one line for a person and an exit code.
 
 use std::fmt;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+/// The exit code if standard output cannot be written, and for any other failure.
+const UNWRITTEN: u8 = 1;
+const REFUSED: u8 = 2;
+
 /// A failure, as one line that says where it is, what is wrong and what to do.
 #[derive(Debug)]
-pub struct Failure(String);
+pub struct Failure {
+    message: String,
+    code: u8,
+}
 
 impl Failure {
     /// Returns a failure of `place`, which is a file, an option or a directory.
     pub fn of(place: impl fmt::Display, what: impl fmt::Display) -> Self {
-        Failure(format!("{place}: {what}"))
+        Failure { message: format!("{place}: {what}"), code: REFUSED }
     }
 
     /// Returns a failure at a line of a file, counted from 1.
     pub fn at(file: &str, line: usize, what: impl fmt::Display) -> Self {
-        Failure(format!("{file}:{line}: {what}"))
+        Failure::of(format_args!("{file}:{line}"), what)
+    }
+
+    /// Returns the failure of standard output.
+    pub fn of_stdout(error: &io::Error) -> Self {
+        let what =
+            format_args!("the output cannot be written ({}); check that its disk is not full", error.kind());
+        Failure { code: UNWRITTEN, ..Failure::of("stdout", what) }
     }
 }
 
 impl fmt::Display for Failure {
     /// Writes one line, whatever characters file names and cells contain.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.0))
+        f.write_str(&printable(&self.message))
     }
 }
 
@@ -32,7 +46,7 @@ pub fn exit_code(outcome: Result<ExitCode, Failure>) -> ExitCode {
     outcome.unwrap_or_else(|failure| {
         // If stderr cannot be written, there is nothing else to report to.
         let _ = writeln!(io::stderr(), "{failure}");
-        ExitCode::from(2)
+        ExitCode::from(failure.code)
     })
 }
 

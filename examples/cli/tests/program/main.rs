@@ -1,5 +1,6 @@
 //! The program as a user runs it: what each command reads, answers and refuses.
 
+mod ends;
 mod measure;
 mod measure_refuses;
 mod paint;
