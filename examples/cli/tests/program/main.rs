@@ -1,6 +1,7 @@
 //! The program as a user runs it: what each command reads, answers and refuses.
 
 mod ends;
+mod files;
 mod measure;
 mod measure_refuses;
 mod paint;

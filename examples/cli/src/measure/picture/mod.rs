@@ -6,11 +6,11 @@ use crate::failure::{Failure, printable};
 use crate::measure::args::Unit;
 use crate::measure::facts;
 use crate::measure::reading::{Bench, Reading};
+use crate::output::Files;
 use crate::picture::spectrum::{self, Spectrum};
-use crate::picture::{self, Area, FAINT, GRID, label, refused};
+use crate::picture::{self, Area, FAINT, GRID, label};
 use std::collections::HashSet;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use svg::Document;
 use svg::node::element::Group;
 
@@ -22,19 +22,20 @@ const TITLE: usize = 70;
 /// The length of the longest file name without `.svg`, in characters, which is below 255 bytes in any script.
 const FILE_NAME: usize = 60;
 
-/// Draws every reading to a file in `directory`, which is created if it does not exist.
-///
-/// Returns the files in the order of the readings.
-pub fn save_all(directory: &Path, bench: &Bench, readings: &[Reading]) -> Result<Vec<PathBuf>, Failure> {
-    fs::create_dir_all(directory).map_err(|error| refused(directory, &error, "directory"))?;
+/// Draws every reading to a file in `directory`, which is made if it is missing.
+pub fn write_all(
+    files: &mut Files,
+    directory: &Path,
+    bench: &Bench,
+    readings: &[Reading],
+) -> Result<(), Failure> {
+    files.make_directory(directory)?;
     let mut taken = HashSet::new();
-    let mut paths = Vec::new();
     for reading in readings {
         let path = directory.join(file_name(&reading.name, &mut taken));
-        svg::save(&path, &page(bench, reading)).map_err(|error| refused(&path, &error, "directory"))?;
-        paths.push(path);
+        files.write(path, &page(bench, reading).to_string())?;
     }
-    Ok(paths)
+    Ok(())
 }
 
 /// Returns a name that every file system accepts and that no earlier spectrum has, in any case of its
