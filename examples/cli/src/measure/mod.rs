@@ -17,7 +17,7 @@ mod text;
 pub use args::Args;
 
 use crate::failure::Failure;
-use crate::output::{Files, Progress, terminal};
+use crate::output::{Files, Progress, json::line, terminal};
 use reading::Bench;
 
 /// Reports on the files, or on the bundled lamp if there are none.
@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let truecolor = terminal::is_colorful();
     let report = |(k, reading)| {
         if args.json {
-            return format!("{}\n", json::object(&bench, reading));
+            return line(&json::object(&bench, reading));
         }
         text::report(&bench, reading, pictures.get(k).copied(), truecolor)
     };

@@ -14,7 +14,7 @@ mod text;
 pub use args::{Args, negative};
 
 use crate::failure::Failure;
-use crate::output::{Files, terminal};
+use crate::output::{Files, json::line, terminal};
 use answer::Job;
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let truecolor = terminal::is_colorful();
     let report = if args.json {
-        answers.iter().map(|answer| format!("{}\n", json::object(args, answer))).collect()
+        answers.iter().map(|answer| line(&json::object(args, answer))).collect()
     } else if args.colors.is_empty() {
         text::chart(args, &answers, truecolor)
     } else {

@@ -3,6 +3,7 @@
 pub mod axis;
 pub mod spectrum;
 
+use crate::failure::printable;
 use crate::output::tint;
 use svg::Document;
 use svg::node::element::{Group, Rectangle, Text};
@@ -36,9 +37,10 @@ pub fn page(height: f32, title: &str, subtitle: &str) -> Document {
         .add(heading)
 }
 
+/// Returns a text, without the characters that XML does not allow.
 pub fn label(x: f32, y: f32, text: &str) -> Text {
     // SVG shows several blanks as one.
-    let text = text.replace("  ", "\u{a0}\u{a0}");
+    let text = printable(text).replace("  ", "\u{a0}\u{a0}");
     Text::new(text).set("x", x).set("y", y).set("fill", INK)
 }
 

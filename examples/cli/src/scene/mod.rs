@@ -18,7 +18,7 @@ mod text;
 pub use args::Args;
 
 use crate::failure::Failure;
-use crate::output::{Files, terminal};
+use crate::output::{Files, json::line, terminal};
 
 /// Runs the command: answers a scene, or lists those that come with the program.
 pub fn run(args: &Args) -> Result<(), Failure> {
@@ -36,7 +36,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         picture::write(&mut files, path, &answer)?;
     }
     terminal::print(&if args.json {
-        format!("{}\n", json::object(&answer))
+        line(&json::object(&answer))
     } else {
         text::report(&answer, files.paths().pop(), terminal::is_colorful())
     })?;

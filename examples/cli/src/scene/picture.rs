@@ -1,6 +1,6 @@
 //! Draws a scene: the light of the lamp and the light behind the last part, its color, and the bill.
 
-use crate::failure::{Failure, printable};
+use crate::failure::{Failure, shown};
 use crate::output::{Files, tint};
 use crate::picture::spectrum::{self, Spectrum};
 use crate::picture::{self, Area, FAINT, INK, label, patch};
@@ -33,8 +33,8 @@ fn page(answer: &Answer) -> Document {
     let notes = notes(answer);
     let end = BILL + SPACING * (answer.bill.len() + 3) as f32;
     let height = end + SPACING * (notes.len() + 1) as f32;
-    let subtitle = format!("{}  ·  {}  ·  {}", printable(&answer.lamp), answer.eye, answer.grid);
-    picture::page(height, &printable(&answer.title), &subtitle)
+    let subtitle = format!("{}  ·  {}  ·  {}", shown(&answer.lamp, text::NAME), answer.eye, answer.grid);
+    picture::page(height, &shown(&answer.title, text::NAME), &subtitle)
         .add(spectra(answer))
         .add(looks(answer))
         .add(bill(answer))

@@ -4,6 +4,7 @@ mod ends;
 mod files;
 mod measure;
 mod measure_refuses;
+mod names;
 mod paint;
 mod paint_refuses;
 mod program;

@@ -2,10 +2,11 @@
 
 mod chromaticity;
 
-use crate::failure::{Failure, printable};
+use crate::failure::{Failure, shown};
 use crate::measure::args::Unit;
 use crate::measure::facts;
 use crate::measure::reading::{Bench, Reading};
+use crate::measure::text::NAME;
 use crate::output::Files;
 use crate::picture::spectrum::{self, Spectrum};
 use crate::picture::{self, Area, FAINT, GRID, label};
@@ -17,8 +18,6 @@ use svg::node::element::Group;
 /// The range of a spectrum that is drawn, in nm. The tables begin at 360.
 const FIRST: usize = 380;
 const LAST: usize = 780;
-/// The length of the longest title, in characters.
-const TITLE: usize = 70;
 /// The length of the longest file name without `.svg`, in characters, which is below 255 bytes in any script.
 const FILE_NAME: usize = 60;
 
@@ -54,15 +53,10 @@ fn file_name(name: &str, taken: &mut HashSet<String>) -> String {
 
 fn page(bench: &Bench, reading: &Reading) -> Document {
     let diagram = Area { left: 730.0, top: 90.0, width: 340.0, height: 382.5 };
-    let name = printable(&reading.name);
-    let title = if name.chars().count() > TITLE {
-        name.chars().take(TITLE - 1).chain(['…']).collect()
-    } else {
-        name
-    };
-    let under = bench.room.as_ref().map(|room| format!("reflectance under {}", printable(&room.light.name)));
+    let under =
+        bench.room.as_ref().map(|room| format!("reflectance under {}", shown(&room.light.name, NAME)));
     let subtitle = format!("{}  ·  {}", under.unwrap_or("light".into()), bench.eye.title);
-    picture::page(740.0, &title, &subtitle)
+    picture::page(740.0, &shown(&reading.name, NAME), &subtitle)
         .add(curve(bench, reading))
         .add(chromaticity::draw(diagram, bench, reading))
         .add(numbers(bench, reading))
