@@ -14,7 +14,8 @@ use std::process::ExitCode;
     propagate_version = true,
     disable_help_subcommand = true,
     after_help = "Without a command, the program measures the lamp that comes with it: CIE L41, a white LED.\n\
-                  'nanospectra COMMAND --help' explains the options, the input and the output of a command."
+                  'nanospectra COMMAND --help' explains the options, the input and the output of a command.\n\
+                  The exit code is 0 after an answer, 1 if standard output cannot be written, and else 2."
 )]
 struct Cli {
     #[command(subcommand)]

@@ -1,29 +1,52 @@
-//! Defines the failure that stops the program, with one line for a person and exit code 2.
+//! Defines the failure that stops the program, with one line for a person and an exit code.
 
 use std::fmt;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+/// The exit code if standard output cannot be written, and for any other failure.
+const UNWRITTEN: u8 = 1;
+const REFUSED: u8 = 2;
+/// The length in characters above which a message is cut in its middle: it begins with the place, and ends
+/// with what to do.
+const LONGEST: usize = 600;
+
 /// A failure, as one line that says where it is, what is wrong and what to do.
 #[derive(Debug)]
-pub struct Failure(String);
+pub struct Failure {
+    message: String,
+    code: u8,
+}
 
 impl Failure {
     /// Returns a failure of `place`, which is a file, an option or a directory.
     pub fn of(place: impl fmt::Display, what: impl fmt::Display) -> Self {
-        Failure(format!("{place}: {what}"))
+        Failure { message: format!("{place}: {what}"), code: REFUSED }
     }
 
     /// Returns a failure at a line of a file, counted from 1.
     pub fn at(file: &str, line: usize, what: impl fmt::Display) -> Self {
-        Failure(format!("{file}:{line}: {what}"))
+        Failure::of(format_args!("{file}:{line}"), what)
+    }
+
+    /// Returns the failure of standard output.
+    pub fn of_stdout(error: &io::Error) -> Self {
+        let what =
+            format_args!("the output cannot be written ({}); check that its disk is not full", error.kind());
+        Failure { code: UNWRITTEN, ..Failure::of("stdout", what) }
     }
 }
 
 impl fmt::Display for Failure {
-    /// Writes one line, whatever characters file names and cells contain.
+    /// Writes one short line, whatever file names and cells contain.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.0))
+        let message: Vec<char> = printable(&self.message).chars().collect();
+        if message.len() <= LONGEST {
+            return f.write_str(&String::from_iter(message));
+        }
+        let [start, end] =
+            [&message[..LONGEST / 2], &message[message.len() - LONGEST / 2..]].map(String::from_iter);
+        write!(f, "{start}..{end}")
     }
 }
 
@@ -32,7 +55,7 @@ pub fn exit_code(outcome: Result<ExitCode, Failure>) -> ExitCode {
     outcome.unwrap_or_else(|failure| {
         // If stderr cannot be written, there is nothing else to report to.
         let _ = writeln!(io::stderr(), "{failure}");
-        ExitCode::from(2)
+        ExitCode::from(failure.code)
     })
 }
 
@@ -44,9 +67,25 @@ pub fn short(text: &str) -> String {
     }
 }
 
-/// Returns a text with its control characters escaped, so that it holds no line breaks or terminal escapes.
+/// Returns the beginning of a name, for reports: `most` characters, of which none [`is_unsafe`].
+pub fn shown(name: &str, most: usize) -> String {
+    // Escapes are longer than what they stand for, so that no more than this is needed.
+    let name: String = name.chars().take(most + 1).collect();
+    let name = printable(&name);
+    if name.chars().count() > most { name.chars().take(most - 1).chain(['…']).collect() } else { name }
+}
+
+/// Returns a text with its unsafe characters escaped.
 pub fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| if c.is_control() { c.escape_default().to_string() } else { c.to_string() })
-        .collect()
+    text.chars().map(|c| if is_unsafe(c) { c.escape_default().to_string() } else { c.to_string() }).collect()
+}
+
+/// Returns whether a character can disturb what stands around it.
+///
+/// Controls (C0, DEL and C1) and line separators break lines or command a terminal, and bidirectional controls
+/// change the order of what is shown. U+FFFE and U+FFFF are not allowed in XML, and most controls are not either.
+pub fn is_unsafe(c: char) -> bool {
+    let bidirectional =
+        matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{206f}');
+    c.is_control() || bidirectional || matches!(c, '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}')
 }

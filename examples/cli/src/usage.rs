@@ -1,15 +1,20 @@
 //! Turns clap's messages about a command line into messages of this program.
 
 use crate::failure::{Failure, short};
+use crate::output::terminal;
 use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, Error};
+use std::process;
 
 /// Turns an error of clap into a failure of `program`, on one line.
 ///
 /// Requests for the help or the version are errors too; they are printed, and the program ends here.
 pub fn refused(program: &str, error: &Error) -> Failure {
     if !error.use_stderr() {
-        error.exit();
+        match terminal::print_message(error) {
+            Ok(()) => process::exit(0),
+            Err(unwritten) => return unwritten,
+        }
     }
     let mut message = error.to_string();
     for kind in [ContextKind::InvalidArg, ContextKind::InvalidValue] {

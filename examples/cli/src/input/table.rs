@@ -46,7 +46,8 @@ pub fn samples(path: &Path) -> Result<Vec<(f32, f32)>, Failure> {
     let [column] = &table.columns[..] else {
         let count = table.columns.len();
         let what = "columns of values where one is wanted; save that one to a file of its own";
-        let name = table.columns[0].name.as_ref().map_or(String::new(), |name| format!(" ({name}, ..)"));
+        let name =
+            table.columns[0].name.as_ref().map_or(String::new(), |name| format!(" ({}, ..)", short(name)));
         return Err(Failure::of(file + &name, format_args!("the file has {count} {what}")));
     };
     let values = column.values.iter();
@@ -192,7 +193,8 @@ impl Table {
         let nm = number(&cells[0], "the wavelength")?;
         self.check_wavelength(nm)?;
         for (k, (cell, column)) in cells[1..].iter().zip(&mut self.columns).enumerate() {
-            let what = column.name.as_ref().map_or(format!("cell {}", k + 2), |name| format!("'{name}'"));
+            let what =
+                column.name.as_ref().map_or(format!("cell {}", k + 2), |name| format!("'{}'", short(name)));
             column.values.push(number(cell, &what)?);
         }
         self.wavelengths.push(nm);

@@ -73,9 +73,14 @@ pub struct Args {
     #[arg(long)]
     pub json: bool,
 
-    /// Also draw each spectrum to DIR/NAME.svg; DIR is created if it does not exist
+    /// Also draw each spectrum to DIR/NAME.svg; DIR is made if it is missing. A run that fails leaves no
+    /// file behind, and no file is overwritten without --force
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+
+    /// Replace pictures that exist already. A link, and a file that is read, are never replaced
+    #[arg(long, requires = "svg")]
+    pub force: bool,
 }
 
 /// The value of `--observer`, which is one of [`observer::ALL`].
@@ -105,7 +110,12 @@ impl Args {
             let what = "a reflectance has no unit; leave out --unit or --reflectance";
             return Err(Failure::of("--unit absolute", what));
         }
-        check_stdin(self.files.iter().chain(&self.light).chain(&self.compare))
+        check_stdin(self.inputs())
+    }
+
+    /// Returns the files that are read.
+    pub fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
+        self.files.iter().chain(&self.light).chain(&self.compare)
     }
 }
 

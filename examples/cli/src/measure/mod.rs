@@ -17,9 +17,8 @@ mod text;
 pub use args::Args;
 
 use crate::failure::Failure;
-use crate::output::{Progress, terminal};
+use crate::output::{Files, Progress, json::line, terminal};
 use reading::Bench;
-use std::path::PathBuf;
 
 /// Reports on the files, or on the bundled lamp if there are none.
 pub fn run(args: &Args) -> Result<(), Failure> {
@@ -44,16 +43,18 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     drop(progress);
 
-    let pictures = match &args.svg {
-        Some(directory) => picture::save_all(directory, &bench, &readings)?,
-        None => Vec::new(),
-    };
+    let mut files = Files::new("directory", args.force, args.inputs());
+    if let Some(directory) = &args.svg {
+        picture::write_all(&mut files, directory, &bench, &readings)?;
+    }
+    let pictures = files.paths();
     let truecolor = terminal::is_colorful();
     let report = |(k, reading)| {
         if args.json {
-            return format!("{}\n", json::object(&bench, reading));
+            return line(&json::object(&bench, reading));
         }
-        text::report(&bench, reading, pictures.get(k).map(PathBuf::as_path), truecolor)
+        text::report(&bench, reading, pictures.get(k).copied(), truecolor)
     };
-    terminal::print(&readings.iter().enumerate().map(report).collect::<String>())
+    terminal::print(&readings.iter().enumerate().map(report).collect::<String>())?;
+    files.keep()
 }

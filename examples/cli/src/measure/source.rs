@@ -1,6 +1,6 @@
 //! Brings a measured spectrum, given by samples with their lines in a file, to the 1 nm grid.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, short};
 use crate::measure::exact;
 use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
@@ -64,7 +64,7 @@ impl Source {
         self.check_reach()?;
         for ((_, value), line) in self.samples.iter().zip(&*self.lines) {
             if *value > MOST_REFLECTANCE {
-                let name = &self.name;
+                let name = short(&self.name);
                 let what = format!(
                     "'{name}' is {value}, which is not a reflectance; give shares of 0..1, not percent or power"
                 );
@@ -84,7 +84,7 @@ impl Source {
 
     /// Returns a failure of the spectrum as a whole, at its first row.
     pub fn wrong(&self, what: &str) -> Failure {
-        Failure::at(&self.file, self.lines[0], format!("'{}': {what}", self.name))
+        Failure::at(&self.file, self.lines[0], format!("'{}': {what}", short(&self.name)))
     }
 
     fn fine<Q: Quantity>(&self, by: Interpolation, scaled: impl Fn(f64) -> f64) -> Result<Fine<Q>, Failure> {

@@ -1,6 +1,6 @@
 //! Writes a reading as a report for people.
 
-use crate::failure::printable;
+use crate::failure::{printable, shown};
 use crate::measure::args::Unit;
 use crate::measure::facts::{self, Fact};
 use crate::measure::reading::{Bench, Note, Reading};
@@ -9,6 +9,9 @@ use crate::usage::name_of;
 use std::path::Path;
 
 const WIDTH: usize = 92;
+/// The lengths of the longest names of a spectrum and of a file, in characters.
+pub const NAME: usize = 70;
+const FILE: usize = 200;
 
 /// Returns the report of a reading, with terminal escapes for colors if `truecolor`.
 pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolor: bool) -> String {
@@ -21,10 +24,10 @@ pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolo
     }
     rows(&mut report, &facts::facts(bench, reading));
     if let Some(path) = picture {
-        report.row("picture", path.display());
+        report.path("picture", path);
     }
     if let Some(comparison) = &reading.compare {
-        report.line(format_args!("\n  minus {}", printable(&comparison.to)));
+        report.line(format_args!("\n  minus {}", shown(&comparison.to, NAME)));
         rows(&mut report, &facts::differences(comparison));
     }
     notes(&mut report, &reading.notes);
@@ -32,9 +35,9 @@ pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolo
 }
 
 fn title(bench: &Bench, reading: &Reading) -> String {
-    let (name, file) = (printable(&reading.name), printable(&reading.file));
+    let (name, file) = (shown(&reading.name, NAME), shown(&reading.file, FILE));
     let kind = match (&bench.room, bench.unit) {
-        (Some(room), _) => format!("reflectance under {}", printable(&room.light.name)),
+        (Some(room), _) => format!("reflectance under {}", shown(&room.light.name, NAME)),
         (None, Unit::Relative) => "light, relative".into(),
         (None, Unit::Absolute) => "light, W/m2/nm".into(),
     };

@@ -1,6 +1,24 @@
-//! Writes numbers as JSON, with all their digits.
+//! Writes JSON, with all digits of its numbers.
 
+use crate::failure::is_unsafe;
 use serde_json::Value;
+
+/// Returns an object as a line.
+///
+/// In its texts each character that [`is_unsafe`] is escaped. JSON needs that for some of them only, but a
+/// terminal may show them too. None lies beyond U+FFFF.
+pub fn line(object: &Value) -> String {
+    let json = object.to_string();
+    let mut line = String::with_capacity(json.len() + 1);
+    for c in json.chars() {
+        if is_unsafe(c) {
+            line += &format!("\\u{:04x}", c as u32);
+        } else {
+            line.push(c);
+        }
+    }
+    line + "\n"
+}
 
 /// Returns an f32 with the fewest digits that identify it, such as 0.3127 rather than 0.3127000033855438.
 pub fn single(value: f32) -> Value {

@@ -1,5 +1,6 @@
-//! Prints results, as text for people and as JSON for programs.
+//! Prints results, as text for people and as JSON for programs, and writes files.
 
+mod files;
 pub(crate) mod json;
 pub(crate) mod plot;
 mod progress;
@@ -7,5 +8,6 @@ pub(crate) mod report;
 pub mod terminal;
 pub(crate) mod tint;
 
+pub(crate) use files::Files;
 pub(crate) use progress::Progress;
 pub(crate) use report::Report;

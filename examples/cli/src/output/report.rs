@@ -1,8 +1,10 @@
 //! Builds a report for people from rows of a label and a value, plots and patches of color.
 
 use super::{plot, tint};
+use crate::failure::printable;
 use nanospectra::{Fine, Power};
 use std::fmt::Display;
+use std::path::Path;
 
 pub struct Report {
     text: String,
@@ -24,6 +26,11 @@ impl Report {
     pub fn row(&mut self, label: &str, value: impl Display) {
         let indent = self.indent;
         self.line(format_args!("  {label:<indent$}{value}"));
+    }
+
+    /// Adds a row with the name of a file or of a directory.
+    pub fn path(&mut self, label: &str, path: &Path) {
+        self.row(label, printable(&path.to_string_lossy()));
     }
 
     /// Adds the plot of a spectrum and an empty line.

@@ -7,11 +7,17 @@ use std::io::{self, ErrorKind, IsTerminal, Write};
 /// Writes a text, of which a pipe such as `| head` may read only the beginning.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::of(
-            "stdout",
-            format_args!("the output cannot be written ({}); check that its disk is not full", error.kind()),
-        )),
+    printed(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
+}
+
+/// Writes a message of clap to standard output, with styles if that is a terminal.
+pub fn print_message(message: &clap::Error) -> Result<(), Failure> {
+    printed(message.print().and_then(|()| io::stdout().flush()))
+}
+
+fn printed(outcome: io::Result<()>) -> Result<(), Failure> {
+    match outcome {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::of_stdout(&error)),
         _ => Ok(()),
     }
 }

@@ -83,10 +83,14 @@ pub struct Args {
     #[arg(long)]
     pub json: bool,
 
-    /// Also draw each color into the directory DIR, as NUMBER-RRGGBB.svg. DIR is made if it is missing. No
-    /// file is overwritten, and a run that fails leaves no file behind
+    /// Also draw each color into the directory DIR, as NUMBER-RRGGBB.svg. DIR is made if it is missing. A run
+    /// that fails leaves no file behind, and no file is overwritten without --force
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+
+    /// Replace pictures that exist already. A link is never replaced
+    #[arg(long, requires = "svg")]
+    pub force: bool,
 
     /// The text of every color, in the order of the command line.
     #[arg(skip)]

@@ -14,34 +14,32 @@ mod text;
 pub use args::{Args, negative};
 
 use crate::failure::Failure;
-use crate::output::terminal;
+use crate::output::{Files, json::line, terminal};
 use answer::Job;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// Runs the command. All colors are answered before any is printed, so that an error leaves no half report.
 pub fn run(args: &Args) -> Result<(), Failure> {
     args.check()?;
     let colors = if args.colors.is_empty() { answer::samples() } else { input::colors(&args.colors)? };
     let answers = grids::answers(&args.grid, &Job::new(args, &colors)?)?;
-    let pictures =
-        args.svg.as_ref().map(|directory| picture::save_all(directory, args, &answers)).transpose()?;
+    let mut files = Files::new("directory", args.force, None::<&Path>);
+    if let Some(directory) = &args.svg {
+        picture::write_all(&mut files, directory, args, &answers)?;
+    }
     let truecolor = terminal::is_colorful();
     let report = if args.json {
-        answers.iter().map(|answer| format!("{}\n", json::object(args, answer))).collect()
+        answers.iter().map(|answer| line(&json::object(args, answer))).collect()
     } else if args.colors.is_empty() {
         text::chart(args, &answers, truecolor)
     } else {
-        let paths = pictures.as_ref().map_or(&[][..], |pictures| &pictures.paths);
-        let picture = |k: usize| paths.get(k).map(PathBuf::as_path);
+        let pictures = files.paths();
         answers
             .iter()
             .enumerate()
-            .map(|(k, answer)| text::report(args, answer, picture(k), truecolor))
+            .map(|(k, answer)| text::report(args, answer, pictures.get(k).copied(), truecolor))
             .collect()
     };
     terminal::print(&report)?;
-    if let Some(pictures) = pictures {
-        pictures.keep();
-    }
-    Ok(())
+    files.keep()
 }

@@ -2,15 +2,14 @@
 //! it looks under the lights.
 
 use crate::failure::Failure;
-use crate::output::tint;
+use crate::output::{Files, tint};
 use crate::paint::answer::Answer;
 use crate::paint::args::Args;
 use crate::paint::text;
 use crate::picture::spectrum::{self, Spectrum};
-use crate::picture::{self, Area, FAINT, check_free, create, label, patch, refused};
+use crate::picture::{self, Area, FAINT, label, patch};
 use crate::usage::name_of;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use svg::Document;
 use svg::node::element::Group;
 
@@ -19,57 +18,21 @@ const SWATCHES: f32 = 90.0;
 /// From one swatch to the next.
 const SPACING: f32 = 90.0;
 
-/// New files and the directories made for them. Both are removed again unless [`Pictures::keep`] is called.
-pub struct Pictures {
-    /// The files, in the order of the answers.
-    pub paths: Vec<PathBuf>,
-    /// The new directories, each before the one that it lies in.
-    directories: Vec<PathBuf>,
-}
-
-impl Pictures {
-    /// Keeps the files, since the run has succeeded.
-    pub fn keep(mut self) {
-        self.paths.clear();
-        self.directories.clear();
-    }
-}
-
-impl Drop for Pictures {
-    /// Removes the files. One that cannot be removed stays, since the run already has a failure to report.
-    fn drop(&mut self) {
-        for path in &self.paths {
-            let _ = fs::remove_file(path);
-        }
-        for directory in &self.directories {
-            let _ = fs::remove_dir(directory);
-        }
-    }
-}
-
-/// Draws every answer into a new file in `directory`, which is made if it is missing.
-pub fn save_all(directory: &Path, args: &Args, answers: &[Answer]) -> Result<Pictures, Failure> {
-    let missing = directory.ancestors().take_while(|path| path.symlink_metadata().is_err());
-    let directories = missing.map(Path::to_path_buf).collect();
-    let mut pictures = Pictures { paths: Vec::new(), directories };
-    fs::create_dir_all(directory).map_err(|error| refused(directory, &error, "directory"))?;
+/// Draws every answer into a file in `directory`, which is made if it is missing.
+pub fn write_all(
+    files: &mut Files,
+    directory: &Path,
+    args: &Args,
+    answers: &[Answer],
+) -> Result<(), Failure> {
+    files.make_directory(directory)?;
     let digits = answers.len().to_string().len();
-    let paths: Vec<PathBuf> = answers
-        .iter()
-        .zip(1..)
-        .map(|(answer, number)| {
-            let hex = tint::hex(answer.asked);
-            directory.join(format!("{number:0digits$}-{}.svg", &hex[1..]))
-        })
-        .collect();
-    // This comes before the first file is written, so that no half set of pictures is left behind.
-    paths.iter().try_for_each(|path| check_free(path, "name another directory"))?;
-    for (path, answer) in paths.into_iter().zip(answers) {
-        let file = create(&path, "directory")?;
-        pictures.paths.push(path.clone());
-        svg::write(file, &page(args, answer)).map_err(|error| refused(&path, &error, "directory"))?;
+    for (answer, number) in answers.iter().zip(1..) {
+        let hex = tint::hex(answer.asked);
+        let path = directory.join(format!("{number:0digits$}-{}.svg", &hex[1..]));
+        files.write(path, &page(args, answer).to_string())?;
     }
-    Ok(pictures)
+    Ok(())
 }
 
 fn page(args: &Args, answer: &Answer) -> Document {

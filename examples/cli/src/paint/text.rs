@@ -30,7 +30,7 @@ pub fn report(args: &Args, answer: &Answer, picture: Option<&Path>, truecolor: b
         report.row(&format!("under {}", look.light), format_args!("{swatch}  {}", coordinates(look)));
     }
     if let Some(path) = picture {
-        report.row("picture", path.display());
+        report.path("picture", path);
     }
     report.line("");
     report.into_text()
@@ -61,7 +61,7 @@ pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
     }
     if let Some(path) = &args.svg {
         chart.line("");
-        chart.row("pictures", path.display());
+        chart.path("pictures", path);
     }
     chart.into_text()
 }

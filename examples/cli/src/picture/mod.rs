@@ -3,11 +3,8 @@
 pub mod axis;
 pub mod spectrum;
 
-use crate::failure::Failure;
+use crate::failure::printable;
 use crate::output::tint;
-use std::fs::File;
-use std::io::Error;
-use std::path::Path;
 use svg::Document;
 use svg::node::element::{Group, Rectangle, Text};
 
@@ -40,9 +37,10 @@ pub fn page(height: f32, title: &str, subtitle: &str) -> Document {
         .add(heading)
 }
 
+/// Returns a text, without the characters that XML does not allow.
 pub fn label(x: f32, y: f32, text: &str) -> Text {
     // SVG shows several blanks as one.
-    let text = text.replace("  ", "\u{a0}\u{a0}");
+    let text = printable(text).replace("  ", "\u{a0}\u{a0}");
     Text::new(text).set("x", x).set("y", y).set("fill", INK)
 }
 
@@ -59,28 +57,4 @@ impl Area {
             .set("width", self.width)
             .set("height", self.height)
     }
-}
-
-/// Returns the failure of a picture that cannot be written, where `place` is what the user should name
-/// instead.
-pub fn refused(path: &Path, error: &Error, place: &str) -> Failure {
-    let what =
-        format!("the picture cannot be written ({}); name a {place} that you may write to", error.kind());
-    Failure::of(format_args!("--svg {}", path.display()), what)
-}
-
-/// Returns a failure if a file exists already, where `other` is what the user can do instead.
-pub fn check_free(path: &Path, other: &str) -> Result<(), Failure> {
-    if path.symlink_metadata().is_err() {
-        return Ok(());
-    }
-    Err(Failure::of(
-        format_args!("--svg {}", path.display()),
-        format_args!("the file exists already; remove it or {other}"),
-    ))
-}
-
-/// Creates a file that must not exist yet.
-pub fn create(path: &Path, place: &str) -> Result<File, Failure> {
-    File::create_new(path).map_err(|error| refused(path, &error, place))
 }

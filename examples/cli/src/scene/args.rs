@@ -65,9 +65,13 @@ pub struct Args {
     pub json: bool,
 
     /// Also draw the scene into FILE.svg, or into the directory DIR as NAME.svg. The directory is made if it
-    /// is missing, and no file is overwritten
+    /// is missing. A run that fails leaves no file behind, and no file is overwritten without --force
     #[arg(long, value_name = "DIR | FILE.svg")]
     pub svg: Option<PathBuf>,
+
+    /// Replace a picture that exists already. A link, and a file that is read, are never replaced
+    #[arg(long, requires = "svg")]
+    pub force: bool,
 
     /// List the scenes that come with the program
     #[arg(long, conflicts_with_all = ["scene", "budget", "json", "svg"])]

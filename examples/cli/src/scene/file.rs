@@ -189,6 +189,14 @@ impl Recipe {
         Failure::at(&self.file, line(&self.text, Some(at.span())), what)
     }
 
+    /// The files that are read: the scene, if it is one, and those that it names.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        let parts = self.scene.part.iter().map(Spanned::get_ref);
+        let factors = parts.flat_map(|part| [&part.filter, &part.surface]).flatten();
+        let named = factors.filter_map(|factors| factors.csv.as_ref()).chain(&self.scene.lamp.get_ref().csv);
+        named.map(|path| self.beside(path)).chain([PathBuf::from(&self.file)]).collect()
+    }
+
     /// The path of a file that the scene names.
     pub fn beside(&self, path: &Path) -> PathBuf {
         self.folder.join(path)

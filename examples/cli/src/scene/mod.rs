@@ -18,7 +18,7 @@ mod text;
 pub use args::Args;
 
 use crate::failure::Failure;
-use crate::output::terminal;
+use crate::output::{Files, json::line, terminal};
 
 /// Runs the command: answers a scene, or lists those that come with the program.
 pub fn run(args: &Args) -> Result<(), Failure> {
@@ -29,11 +29,16 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let Some(word) = args.scene.as_deref().filter(|_| !args.list) else {
         return terminal::print(&bundled::list()?);
     };
-    let answer = grids::answer(&bundled::find(word)?, args.budget)?;
-    let picture = args.svg.as_ref().map(|path| picture::save(path, &answer)).transpose()?;
+    let recipe = bundled::find(word)?;
+    let answer = grids::answer(&recipe, args.budget)?;
+    let mut files = Files::new("place", args.force, recipe.inputs());
+    if let Some(path) = &args.svg {
+        picture::write(&mut files, path, &answer)?;
+    }
     terminal::print(&if args.json {
-        format!("{}\n", json::object(&answer))
+        line(&json::object(&answer))
     } else {
-        text::report(&answer, picture.as_deref(), terminal::is_colorful())
-    })
+        text::report(&answer, files.paths().pop(), terminal::is_colorful())
+    })?;
+    files.keep()
 }

@@ -1,13 +1,12 @@
 //! Draws a scene: the light of the lamp and the light behind the last part, its color, and the bill.
 
-use crate::failure::{Failure, printable};
-use crate::output::tint;
+use crate::failure::{Failure, shown};
+use crate::output::{Files, tint};
 use crate::picture::spectrum::{self, Spectrum};
-use crate::picture::{self, Area, FAINT, INK, check_free, create, label, patch, refused};
+use crate::picture::{self, Area, FAINT, INK, label, patch};
 use crate::scene::answer::{Answer, Line};
 use crate::scene::text;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use svg::Document;
 use svg::node::element::Group;
 
@@ -18,26 +17,24 @@ const SPACING: f32 = 26.0;
 /// Where the columns of the bill begin: part, effect, multiply-adds, bytes, difference without it, patch.
 const COLUMNS: [f32; 6] = [30.0, 250.0, 470.0, 560.0, 600.0, 780.0];
 
-/// Draws into a new file. It is `path` if that ends in .svg, and else a file in that directory, which is made
-/// if it is missing.
-pub fn save(path: &Path, answer: &Answer) -> Result<PathBuf, Failure> {
+/// Draws into a file. It is `path` if that ends in .svg, and else a file in that directory, which is made if it
+/// is missing.
+pub fn write(files: &mut Files, path: &Path, answer: &Answer) -> Result<(), Failure> {
     let path = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
         path.to_owned()
     } else {
-        fs::create_dir_all(path).map_err(|error| refused(path, &error, "place"))?;
+        files.make_directory(path)?;
         path.join(format!("{}.svg", answer.name))
     };
-    check_free(&path, "give another name")?;
-    svg::write(create(&path, "place")?, &page(answer)).map_err(|error| refused(&path, &error, "place"))?;
-    Ok(path)
+    files.write(path, &page(answer).to_string())
 }
 
 fn page(answer: &Answer) -> Document {
     let notes = notes(answer);
     let end = BILL + SPACING * (answer.bill.len() + 3) as f32;
     let height = end + SPACING * (notes.len() + 1) as f32;
-    let subtitle = format!("{}  ·  {}  ·  {}", printable(&answer.lamp), answer.eye, answer.grid);
-    picture::page(height, &printable(&answer.title), &subtitle)
+    let subtitle = format!("{}  ·  {}  ·  {}", shown(&answer.lamp, text::NAME), answer.eye, answer.grid);
+    picture::page(height, &shown(&answer.title, text::NAME), &subtitle)
         .add(spectra(answer))
         .add(looks(answer))
         .add(bill(answer))

@@ -1,16 +1,19 @@
 //! Reports an answer as text.
 
-use crate::failure::printable;
+use crate::failure::shown;
 use crate::output::Report;
 use crate::scene::answer::{Absolute, Answer, Budget, Look, Sensor};
 use nanospectra::path::Price;
 use nanospectra::{Fine, Interpolation, Light, Power};
 use std::path::Path;
 
+/// The length of the longest title, and of the longest name of a lamp, in characters.
+pub const NAME: usize = 70;
+
 /// Reports a scene. With `truecolor` the text has escape sequences for colors.
 pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(16, truecolor);
-    let [title, lamp] = [&answer.title, &answer.lamp].map(|name| printable(name));
+    let [title, lamp] = [&answer.title, &answer.lamp].map(|name| shown(name, NAME));
     report.line(format_args!("{title}   ({lamp}, {}, {})\n", answer.eye, answer.grid));
     report.plot(&curve(&answer.leaving));
     report.row("lamp", report.swatch(answer.lamp_srgb, 8));
@@ -31,7 +34,7 @@ pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> Strin
     }
     bill(&mut report, answer);
     if let Some(path) = picture {
-        report.row("picture", path.display());
+        report.path("picture", path);
     }
     report.into_text()
 }
@@ -60,8 +63,7 @@ pub fn totals(answer: &Answer) -> [(&'static str, Price); 2] {
 
 /// Shortens a name to the width of its column.
 pub fn short_name(name: &str) -> String {
-    let name = printable(name);
-    if name.chars().count() > 22 { name.chars().take(21).chain(['…']).collect() } else { name }
+    shown(name, 22)
 }
 
 /// The rows for XYZ, xy, Lab and the luminous factor.

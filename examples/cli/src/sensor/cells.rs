@@ -45,7 +45,7 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
             return Err(at(line)(format!("column {} has no name; give it one, or remove it", place + 1)));
         }
         if heading[..place].contains(name) {
-            return Err(at(line)(format!("two columns are called '{name}'; rename or remove one")));
+            return Err(at(line)(format!("two columns are called '{}'; rename or remove one", short(name))));
         }
     }
     let mut rows = Vec::new();
@@ -90,8 +90,8 @@ impl Table {
     pub fn places(&self, names: &[&str]) -> Result<Vec<usize>, Failure> {
         let wanted = |name: &&str| {
             self.place(name).ok_or_else(|| {
-                let all = names.join(", ");
-                self.wrong(format_args!("there is no column '{name}'; name the columns {all}"))
+                let all = names.iter().map(|name| short(name)).collect::<Vec<_>>().join(", ");
+                self.wrong(format_args!("there is no column '{}'; name the columns {all}", short(name)))
             })
         };
         names.iter().map(wanted).collect()
@@ -99,22 +99,22 @@ impl Table {
 
     /// Returns the finite number in a cell.
     pub fn number(&self, row: &Row, place: usize) -> Result<f64, Failure> {
-        let (cell, name) = (&row.cells[place], &self.heading[place]);
-        let wrong = |what: String| self.wrong_at(row, what);
+        let cell = &row.cells[place];
+        let wrong =
+            |what: String| self.wrong_at(row, format_args!("'{}' is {what}", short(&self.heading[place])));
         if cell.is_empty() {
-            return Err(wrong(format!("'{name}' is empty; fill it in, or remove the row")));
+            return Err(wrong("empty; fill it in, or remove the row".into()));
         }
-        let said = short(cell);
         match cell.parse::<f64>() {
             Ok(number) if number.is_finite() && (number as f32).is_finite() => Ok(number),
             Ok(_) => {
                 let what = "which is not a finite number; correct it, or remove the row";
-                Err(wrong(format!("'{name}' is {said}, {what}")))
+                Err(wrong(format!("{}, {what}", short(cell))))
             }
             Err(_) if cell.replacen(',', ".", 1).parse::<f64>().is_ok() => {
-                Err(wrong(format!("'{name}' is '{said}'; write the decimal point as '.'")))
+                Err(wrong(format!("'{}'; write the decimal point as '.'", short(cell))))
             }
-            Err(_) => Err(wrong(format!("'{name}' is '{said}', which is not a number; correct it"))),
+            Err(_) => Err(wrong(format!("'{}', which is not a number; correct it", short(cell)))),
         }
     }
 }

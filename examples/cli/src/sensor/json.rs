@@ -1,6 +1,6 @@
 //! Writes readings and runs as JSON, one object per line, with all digits of their numbers.
 
-use crate::output::json::single;
+use crate::output::json::{line, single};
 use crate::sensor::Report;
 use crate::sensor::instrument::Setup;
 use crate::sensor::measure::{Color, Reading, Status};
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 pub fn lines(report: &Report) -> String {
     let readings = report.readings.iter().map(|reading| object(report, reading));
     let runs = report.runs.iter().map(run);
-    readings.chain(runs).map(|object| format!("{object}\n")).collect()
+    readings.chain(runs).map(|object| line(&object)).collect()
 }
 
 fn object(report: &Report, reading: &Reading) -> Value {

@@ -1,6 +1,6 @@
 //! Reads a log of counts.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, short};
 use crate::sensor::args::Args;
 use crate::sensor::cells::{self, Row, Table};
 use crate::sensor::chip::Chip;
@@ -121,14 +121,14 @@ fn exposure(
 ) -> Result<Exposure, Failure> {
     chip.exposure(values).map_err(|(k, what)| {
         let name = &table.heading[places[k]];
-        table.wrong_at(row, format!("'{name}' is {}, {what}", values[k]))
+        table.wrong_at(row, format!("'{}' is {}, {what}", short(name), values[k]))
     })
 }
 
 fn counted(table: &Table, row: &Row, chip: Chip, places: &[usize]) -> Result<Vec<f64>, Failure> {
     let count = |place: &usize| {
         let (count, name) = (table.number(row, *place)?, &table.heading[*place]);
-        let wrong = |what: &str| table.wrong_at(row, format!("'{name}' is {count}, {what}"));
+        let wrong = |what: &str| table.wrong_at(row, format!("'{}' is {count}, {what}", short(name)));
         if count < 0.0 {
             return Err(wrong(
                 "which is not a count; give raw counts, and those in the dark in dark_ columns",

@@ -1,6 +1,6 @@
 //! Writes readings as a table for people.
 
-use crate::failure::printable;
+use crate::failure::shown;
 use crate::output::plot::BLOCKS;
 use crate::output::report;
 use crate::sensor::Report;
@@ -10,6 +10,10 @@ use crate::sensor::measure::{Color, Reading, Status};
 use crate::sensor::runs::Run;
 use nanospectra::color::Cct;
 
+/// The lengths of the longest name and of the longest note, in characters.
+const NAME: usize = 70;
+const NOTE: usize = 600;
+
 /// Returns the report, with the table, the runs and the notes.
 pub fn report(report: &Report) -> String {
     let lux = report.readings.iter().any(|reading| reading.color.as_ref().is_some_and(|c| c.lux.is_some()));
@@ -18,7 +22,7 @@ pub fn report(report: &Report) -> String {
     let rows: Vec<[String; 10]> = report.readings.iter().map(row).collect();
     let mut text = format!("{}\n", report.setup.chip.title());
     for said in &report.colors {
-        text += &format!("  {}\n", printable(said));
+        text += &format!("  {}\n", shown(said, NOTE));
     }
     text += "\n";
     let all = || std::iter::once(heading.map(str::to_owned)).chain(rows.iter().cloned());
@@ -44,7 +48,7 @@ fn row(reading: &Reading) -> [String; 10] {
     let next = |next: &Next| if next.same { "as it is".into() } else { next.settings.clone() };
     let mut row = [const { String::new() }; 10];
     row[0] = reading.entry.line.to_string();
-    row[1] = printable(&label);
+    row[1] = shown(&label, NAME);
     row[2].clone_from(&reading.settings);
     row[9] = reading.next.as_ref().map_or_else(String::new, next);
     match (&reading.status, &reading.color) {
@@ -53,7 +57,10 @@ fn row(reading: &Reading) -> [String; 10] {
             let [x, y, z] = color.xyz.to_array().map(significant);
             row[3] = format!("NEGATIVE: X {x} Y {y} Z {z}");
         }
-        (Status::Saturated(channels), _) => row[3] = format!("SATURATED: {}", printable(&channels.join(" "))),
+        (Status::Saturated(channels), _) => {
+            let channels: Vec<String> = channels.iter().map(|name| shown(name, NAME)).collect();
+            row[3] = format!("SATURATED: {}", channels.join(" "));
+        }
         _ => row[3] = "TOO DARK".into(),
     }
     row
@@ -89,7 +96,7 @@ fn curve(bins: &[(f32, f32)]) -> String {
 }
 
 fn flicker(run: &Run) -> String {
-    let name = run.label.as_deref().map_or("all".into(), printable);
+    let name = run.label.as_deref().map_or("all".into(), |label| shown(label, NAME));
     let (from, to) = run.lines;
     let mut text = format!("\n{name}: {} readings, lines {from}..{to}", run.readings);
     match &run.rate_hz {
@@ -139,7 +146,7 @@ fn notes(report: &Report) -> String {
     if notes.is_empty() {
         return String::new();
     }
-    let lines: String = notes.iter().map(|note| format!("  {}\n", printable(note))).collect();
+    let lines: String = notes.iter().map(|note| format!("  {}\n", shown(note, NOTE))).collect();
     format!("\nnotes\n{lines}")
 }
 

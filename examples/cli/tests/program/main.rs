@@ -1,7 +1,10 @@
 //! The program as a user runs it: what each command reads, answers and refuses.
 
+mod ends;
+mod files;
 mod measure;
 mod measure_refuses;
+mod names;
 mod paint;
 mod paint_refuses;
 mod program;

@@ -304,25 +304,6 @@ fn pictures_stay_when_the_report_is_not_read_to_its_end() {
 }
 
 #[test]
-#[cfg(target_os = "linux")]
-fn a_run_that_fails_leaves_no_picture_behind() {
-    let directory = PAINT.scratch("full");
-    fs::write(directory.join("mine"), "").expect("written");
-    for pictures in [directory.join("made/here"), directory.clone()] {
-        let full = fs::File::options().write(true).open("/dev/full").expect("a disk that is full");
-        let child = PAINT.start(&["0,0,0", "1,1,1", "--svg", pictures.to_str().expect("UTF-8")], full);
-        let output = child.wait_with_output().expect("it ends");
-        let message = String::from_utf8(output.stderr).expect("UTF-8");
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(
-            message.starts_with("stdout: the output cannot be written") && message.lines().count() == 1,
-            "{message}"
-        );
-        assert_eq!(files(&directory), ["mine"]);
-    }
-}
-
-#[test]
 fn a_piped_report_is_plain_text() {
     for arguments in [&["#c31", "0,0,0"][..], &[], &["--method", "smits"]] {
         let report = PAINT.says(arguments);

@@ -38,6 +38,21 @@ impl Program {
         Outcome { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
     }
 
+    /// Runs in a shell, after `setup` and with redirected streams.
+    #[cfg(unix)]
+    pub fn run_in_shell(&self, setup: &str, streams: &str, arguments: &[&str]) -> Outcome {
+        let output = Command::new("sh")
+            .args(["-c", &format!("{setup}\nexec \"$0\" \"$@\" {streams}")])
+            .arg(env!("CARGO_BIN_EXE_nanospectra"))
+            .args(Some(self.0).filter(|command| !command.is_empty()))
+            .args(arguments)
+            .stdin(Stdio::null())
+            .output()
+            .expect("the shell runs");
+        let text = |bytes| String::from_utf8(bytes).expect("the report is UTF-8");
+        Outcome { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
+    }
+
     pub fn run(&self, arguments: &[&str]) -> Outcome {
         self.run_with("", arguments)
     }

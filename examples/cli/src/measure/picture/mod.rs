@@ -2,39 +2,39 @@
 
 mod chromaticity;
 
-use crate::failure::{Failure, printable};
+use crate::failure::{Failure, shown};
 use crate::measure::args::Unit;
 use crate::measure::facts;
 use crate::measure::reading::{Bench, Reading};
+use crate::measure::text::NAME;
+use crate::output::Files;
 use crate::picture::spectrum::{self, Spectrum};
-use crate::picture::{self, Area, FAINT, GRID, label, refused};
+use crate::picture::{self, Area, FAINT, GRID, label};
 use std::collections::HashSet;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use svg::Document;
 use svg::node::element::Group;
 
 /// The range of a spectrum that is drawn, in nm. The tables begin at 360.
 const FIRST: usize = 380;
 const LAST: usize = 780;
-/// The length of the longest title, in characters.
-const TITLE: usize = 70;
 /// The length of the longest file name without `.svg`, in characters, which is below 255 bytes in any script.
 const FILE_NAME: usize = 60;
 
-/// Draws every reading to a file in `directory`, which is created if it does not exist.
-///
-/// Returns the files in the order of the readings.
-pub fn save_all(directory: &Path, bench: &Bench, readings: &[Reading]) -> Result<Vec<PathBuf>, Failure> {
-    fs::create_dir_all(directory).map_err(|error| refused(directory, &error, "directory"))?;
+/// Draws every reading to a file in `directory`, which is made if it is missing.
+pub fn write_all(
+    files: &mut Files,
+    directory: &Path,
+    bench: &Bench,
+    readings: &[Reading],
+) -> Result<(), Failure> {
+    files.make_directory(directory)?;
     let mut taken = HashSet::new();
-    let mut paths = Vec::new();
     for reading in readings {
         let path = directory.join(file_name(&reading.name, &mut taken));
-        svg::save(&path, &page(bench, reading)).map_err(|error| refused(&path, &error, "directory"))?;
-        paths.push(path);
+        files.write(path, &page(bench, reading).to_string())?;
     }
-    Ok(paths)
+    Ok(())
 }
 
 /// Returns a name that every file system accepts and that no earlier spectrum has, in any case of its
@@ -53,15 +53,10 @@ fn file_name(name: &str, taken: &mut HashSet<String>) -> String {
 
 fn page(bench: &Bench, reading: &Reading) -> Document {
     let diagram = Area { left: 730.0, top: 90.0, width: 340.0, height: 382.5 };
-    let name = printable(&reading.name);
-    let title = if name.chars().count() > TITLE {
-        name.chars().take(TITLE - 1).chain(['…']).collect()
-    } else {
-        name
-    };
-    let under = bench.room.as_ref().map(|room| format!("reflectance under {}", printable(&room.light.name)));
+    let under =
+        bench.room.as_ref().map(|room| format!("reflectance under {}", shown(&room.light.name, NAME)));
     let subtitle = format!("{}  ·  {}", under.unwrap_or("light".into()), bench.eye.title);
-    picture::page(740.0, &title, &subtitle)
+    picture::page(740.0, &shown(&reading.name, NAME), &subtitle)
         .add(curve(bench, reading))
         .add(chromaticity::draw(diagram, bench, reading))
         .add(numbers(bench, reading))
