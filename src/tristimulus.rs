@@ -39,7 +39,8 @@ pub struct Xyz {
     ///
     /// See the [example](Xyz#example).
     pub x: f32,
-    /// The Y value, which is the luminance of a light or the luminous reflectance of a surface.
+    /// The Y value, which is the light weighted by y-bar: the luminance of a light, or the luminous
+    /// reflectance of a surface in percent.
     ///
     /// See the [example](Xyz#example).
     pub y: f32,
@@ -137,10 +138,10 @@ impl Xyz {
         Xyz { x: self.x * k, y: self.y * k, z: self.z * k }
     }
 
-    /// Returns the color that has the same chromaticity and the luminance `y`.
+    /// Returns the color that has the same chromaticity and whose Y is `y`.
     ///
     /// `with_y(100.0)` brings a light to the scale on which it is its own white. The result is `None` when
-    /// there is no luminance to scale (Y is zero or negative). See the [example](Xyz#example).
+    /// Y cannot be scaled because it is zero or negative. See the [example](Xyz#example).
     #[must_use]
     pub fn with_y(self, y: f32) -> Option<Self> {
         if self.y <= 0.0 {

@@ -12,12 +12,12 @@ pub trait ConeResponses: Copy + 'static {
     const FROM_XYZ: [[f64; 3]; 3];
 }
 
-/// The responses of the linear Bradford transform, which ICC profiles use.
+/// The cone responses of the linear Bradford transform, by which ICC profiles adapt colors to D50.
 ///
 /// See the [example](Adaptation#example).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bradford;
-/// The responses of CAT02, the transform that CIECAM02 uses.
+/// The cone responses of CAT02, the chromatic adaptation transform that CIECAM02 uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cat02;
 /// The responses of CAT16, the transform that CIECAM16 uses.

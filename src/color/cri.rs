@@ -35,10 +35,10 @@ pub struct Cri {
 /// Computes the color rendering indices Ra and R1 to R15 of a light by the CIE 1974 test color method.
 ///
 /// The indices are not rounded. The reference is a black body below 5000 K and CIE daylight from there
-/// (M1 and M2 not rounded; above 25000 K by the same formula). Sums are over 360..=830 nm at 1 nm, with the
-/// samples interpolated by Sprague's method and the CIE 1931 observer. The order of the additions is another
-/// than in the standard, and most of the sums for the reference are computed by the compiler. This changes
-/// the results by rounding alone.
+/// (M1 and M2 not rounded; above 25000 K by the same formula). Sums are over 360..=830 nm at 1 nm with the
+/// CIE 1931 observer, and the test color samples are interpolated by Sprague's method. The additions are made
+/// in another order than in the standard, and the compiler computes most of the sums for the reference; both
+/// change the results by rounding alone.
 ///
 /// # Accuracy
 /// Ra is within 3e-4 and each R within 1.4e-3 of f64, over 63 lamps (`tests/color/rendering.rs`). TCS15 is

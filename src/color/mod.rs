@@ -1,6 +1,8 @@
-//! Computes from tristimulus values what a color looks like and how well a lamp shows colors.
+//! Computes what a color looks like from its tristimulus values, and how well a lamp renders colors from its
+//! spectrum.
 //!
-//! Everything starts from [`Xyz`], which an [`Observer`](crate::Observer) reports of light:
+//! Most calculations start from [`Xyz`], which an [`Observer`](crate::Observer) reports of light; only
+//! [`cri()`] and [`tm30()`] take the spectrum itself.
 //!
 //! ```
 //! use nanospectra::color::{Rgb, Srgb, Xyz};

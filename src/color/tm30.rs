@@ -78,7 +78,7 @@ pub struct HueBin {
 /// that a sample has no color.
 ///
 /// # Reference
-/// ANSI/IES TM-30-18; CIE 224:2017.
+/// ANSI/IES TM-30-18; CIE 224:2017, whose fidelity index is the same as Rf.
 ///
 /// # Example
 /// ```

@@ -68,8 +68,8 @@ impl Direction {
     /// `phi_rad` is measured around the normal, from x towards y. See the [example](Self#example).
     ///
     /// # Accuracy
-    /// Components are within 4e-7 for azimuths of 0..=2 pi. Near the zenith, x and y are within 4e-7 of the
-    /// sine of the zenith angle.
+    /// Components are within 4e-7 for azimuths of 0..=2 pi. Near the zenith, where x and y are small, their
+    /// error is at most 4e-7 times the sine of the zenith angle.
     #[must_use]
     pub fn spherical(theta_rad: f32, phi_rad: f32) -> Self {
         const TURNS: f32 = 0.5 * core::f32::consts::FRAC_1_PI;

@@ -12,6 +12,9 @@ pub type Daylight = Spectrum<Power, 107, Nodes<300, 830>>;
 /// Returns the chromaticity of CIE daylight whose correlated color temperature is `cct_k`, in K, or `None`
 /// outside 4000..=25000 K.
 ///
+/// The CIE's formula is a polynomial, so [`cct`](crate::color::Uv1960::cct) finds a slightly different
+/// temperature for its color: 4999.7 K for 5000 K, and 24 913 K for 25 000 K.
+///
 /// # Reference
 /// CIE 15:2018, equations 3.3 to 3.5.
 ///
@@ -19,6 +22,9 @@ pub type Daylight = Spectrum<Power, 107, Nodes<300, 830>>;
 /// # use nanospectra::light::daylight_xy;
 /// let d65 = daylight_xy(6504.0).ok_or("in range")?;
 /// assert!((d65.x - 0.31271).abs() < 1e-5 && (d65.y - 0.32912).abs() < 2e-5);
+///
+/// let (bluest_k, _) = daylight_xy(25000.0).and_then(|xy| xy.uv1960().cct().near()).ok_or("in range")?;
+/// assert!((bluest_k - 24_913.0).abs() < 1.0);
 /// # Ok::<(), &str>(())
 /// ```
 #[must_use]

@@ -6,7 +6,7 @@ use crate::math::const_for;
 use crate::observer::{Curve, FineObserver, Observer};
 use crate::spectrum::{Interpolation, Power, Spectrum};
 
-/// The luminous efficacy of radiation at 555 nm, in lm/W, which converts a sum of power times V(lambda) to
+/// The maximum luminous efficacy Km (at 555 nm), in lm/W, which converts a sum of power times V(lambda) to
 /// lumens.
 ///
 /// SI defines 683 lm/W at 540 THz, which is 555.017 nm in air. V(lambda) is scaled to 1 at 555 nm, where
@@ -26,8 +26,13 @@ use crate::spectrum::{Interpolation, Power, Spectrum};
 /// ```
 pub const KM: f32 = 683.002;
 
-/// The luminous efficacy for scotopic vision, in lm/W, which converts a sum of power times V'(lambda) to
-/// scotopic lumens (CIE 18:2019). See the [example](KM#example) of `KM`.
+/// The maximum luminous efficacy for scotopic vision, in lm/W, which converts a sum of power times V'(lambda)
+/// to scotopic lumens.
+///
+/// It is 683 lm/W divided by V' at 540 THz, rounded to 1700. See the [example](KM#example) of `KM`.
+///
+/// # Reference
+/// CIE 18:2019.
 pub const KM_SCOTOPIC: f32 = 1700.0;
 
 /// A standard observer together with the name by which users choose it. See the [example](named).

@@ -5,11 +5,14 @@ use crate::observer::{ALPHA_OPIC, KM, V_PHOTOPIC};
 use crate::radiometry::illuminance;
 use crate::spectrum::{Fine, Power};
 
-/// Five numbers that say how strongly light stimulates each photoreceptor of the eye, by CIE S 026.
+/// Five numbers that say how strongly light stimulates each kind of photoreceptor of the eye, by CIE S 026.
+///
+/// They are irradiances from [`new`](Self::new), illuminances from [`edi`](Self::edi), and ratios from
+/// [`der`](Self::der).
 ///
 /// Start with [`new`](Self::new) for a spectrum with 1 nm steps, or with [`from_array`](Self::from_array) for
 /// a device with few bands, and call [`edi`](Self::edi) for the melanopic equivalent daylight illuminance
-/// that lighting recommendations state.
+/// (melanopic EDI) that lighting recommendations state.
 ///
 /// # Example
 /// ```
@@ -20,7 +23,7 @@ use crate::spectrum::{Fine, Power};
 /// let lamp = relative * (500.0 / illuminance(&relative));
 /// let alpha = AlphaOpic::new(&lamp); // in W/m2
 ///
-/// // Its melanopic effect is that of 248 lx of daylight, by a melanopic efficacy ratio of 0.496.
+/// // Its melanopic EDI is 248 lx of daylight, because its melanopic DER is 0.496.
 /// assert!((alpha.edi().melanopic - 248.0).abs() < 0.25);
 /// assert!(AlphaOpic::der(&lamp).is_some_and(|ratio| (ratio.melanopic - 0.496).abs() < 5e-4));
 /// assert_eq!(alpha.to_array()[4], alpha.melanopic);
@@ -28,15 +31,15 @@ use crate::spectrum::{Fine, Power};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AlphaOpic {
-    /// The response of the cones that are sensitive to short wavelengths (S cones).
+    /// The S-cone-opic number, for the cones that are sensitive to short wavelengths.
     pub s_cone: f32,
-    /// The response of the cones that are sensitive to middle wavelengths (M cones).
+    /// The M-cone-opic number, for the cones that are sensitive to middle wavelengths.
     pub m_cone: f32,
-    /// The response of the cones that are sensitive to long wavelengths (L cones).
+    /// The L-cone-opic number, for the cones that are sensitive to long wavelengths.
     pub l_cone: f32,
-    /// The response of the rods, which see in the dark.
+    /// The rhodopic number, for the rods, which see in dim light.
     pub rhodopic: f32,
-    /// The response of melanopsin, which is in the ganglion cells that set the body's clock. See the
+    /// The melanopic number, for the ganglion cells that contain melanopsin and set the body's clock. See the
     /// [example](Self#example).
     pub melanopic: f32,
 }
@@ -69,7 +72,8 @@ impl AlphaOpic {
         Self::from_array(ALPHA_OPIC.sees(light))
     }
 
-    /// Returns the equivalent daylight illuminances, in lx, of alpha-opic irradiances in W/m2.
+    /// Returns the alpha-opic equivalent daylight illuminances (EDI), in lx, of alpha-opic irradiances in
+    /// W/m2.
     ///
     /// Each of them is the illuminance of D65 that would stimulate the receptor as strongly. See the
     /// [example](Self#example).
@@ -82,7 +86,7 @@ impl AlphaOpic {
         Self::from_array(lux)
     }
 
-    /// Returns the daylight efficacy ratios of a spectrum, which may be on any scale.
+    /// Returns the alpha-opic daylight efficacy ratios (DER) of a spectrum, which may be on any scale.
     ///
     /// A ratio is the equivalent daylight illuminance over the illuminance, both of 380..=780 nm, and is 1
     /// for D65. Returns `None` if the spectrum has no illuminance. See the [example](Self#example).
@@ -92,7 +96,7 @@ impl AlphaOpic {
         (lux > 0.0).then(|| Self::from_array(Self::new(light).edi().to_array().map(|edi| edi / lux)))
     }
 
-    /// Returns the five responses in the order S cones, M cones, L cones, rods, melanopsin.
+    /// Returns the five numbers in the order S cones, M cones, L cones, rods, melanopsin.
     ///
     /// See the [example](Self#example).
     #[must_use]
@@ -100,7 +104,7 @@ impl AlphaOpic {
         [self.s_cone, self.m_cone, self.l_cone, self.rhodopic, self.melanopic]
     }
 
-    /// Makes the responses from the five numbers that an observer reduced from [`ALPHA_OPIC`] returns.
+    /// Makes alpha-opic irradiances of the five numbers that an observer folded from [`ALPHA_OPIC`] returns.
     ///
     /// Use this for a device with few bands: [`fold`](crate::Observer::fold) reduces the 1 nm tables of
     /// [`ALPHA_OPIC`] to those bands.

@@ -8,8 +8,9 @@
 //!
 //! * to lux by [`illuminance`], and for the dark-adapted eye by [`scotopic_illuminance`];
 //! * to photons for plants (PPFD) by [`ppfd`];
-//! * to the response of the five photoreceptors, among them melanopsin, by [`AlphaOpic`] (CIE S 026);
-//! * to lumens per watt by [`luminous_efficacy`].
+//! * to the alpha-opic irradiances of the five kinds of photoreceptors, and from these to melanopic EDI and
+//!   DER, by [`AlphaOpic`] (CIE S 026);
+//! * to its luminous efficacy of radiation (LER), in lm/W, by [`luminous_efficacy`].
 //!
 //! # Quantities with units
 //!

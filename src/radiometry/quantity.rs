@@ -35,7 +35,7 @@ macro_rules! quantity {
                 self.0
             }
 
-            /// The quantity where there is no light, with a value of 0 in every bin of a spectrum.
+            /// The quantity where there is no light: the number 0, or a spectrum with 0 in every bin.
             pub const NONE: Self = $name(V::ZERO);
 
             /// The symbol of the unit in which the value is counted, such as `"W"`, `"lx"` or `"W/(m2 nm)"`.
@@ -102,9 +102,9 @@ macro_rules! quantity {
                 $name(Radiant(self.0.power()))
             }
 
-            /// Returns the luminous quantity, by a V(lambda) that was reduced to the grid of the spectrum.
+            /// Converts the spectrum to the luminous quantity, with a V(lambda) that is folded to its grid.
             ///
-            /// It is 683.002 lm/W times the response of `v`. Make `v` once, by
+            /// The result is 683.002 lm/W times what `v` sees. Make `v` once, by
             /// [`V_PHOTOPIC.fold(..)`](crate::Observer::fold). The compiler accepts every observer with one
             /// row on this grid: if `v` is another one, the result is not in lumens.
             ///
@@ -131,11 +131,12 @@ macro_rules! quantity {
                 $name(Luminous(KM * sum))
             }
 
-            /// Returns the scotopic quantity, by a V'(lambda) that was reduced to the grid of the spectrum.
+            /// Converts the spectrum to the scotopic quantity, with a V'(lambda) that is folded to its grid.
             ///
-            /// It is 1700 lm/W times the response of `v_scotopic`. Make that once, by
+            /// The result is 1700 lm/W times what `v_scotopic` sees. Make this observer once, by
             /// [`V_SCOTOPIC.fold(..)`](crate::Observer::fold). The compiler accepts every observer with one
-            /// row on this grid. See the [example of `luminous_by`](Self::luminous_by).
+            /// row on this grid: if it is another one, the result is not in scotopic units. See the [example
+            /// of `luminous_by`](Self::luminous_by).
             #[must_use]
             pub fn scotopic_by(&self, v_scotopic: &Observer<1, N, Power, G>) -> $name<Scotopic> {
                 let [sum] = v_scotopic.sees(&self.0);

@@ -46,7 +46,7 @@ impl<V: Carried> PointSource<V> {
     }
 }
 
-/// A sphere whose surface has the same radiance from every direction, such as an opal globe.
+/// A sphere whose surface has the same radiance everywhere and into every direction, such as an opal globe.
 ///
 /// Call [`irradiance`](Self::irradiance) for the light that it brings to a surface.
 ///

@@ -85,7 +85,10 @@ impl<const C: usize> Meter<C> {
         meter
     }
 
-    /// Multiplies every result by `k`: what a reference lux meter reads, divided by this meter's Y.
+    /// Multiplies every result by `k`.
+    ///
+    /// To have Y in lux, show a light to the sensor and to a reference lux meter, and pass what the lux meter
+    /// reads divided by the Y that this meter gives.
     ///
     /// ```
     /// # use nanospectra::sensor::{Calibration, Exposure, Meter, ReadingError};

@@ -32,7 +32,8 @@ pub struct PixelWavelengths<const P: usize, const K: usize = 6> {
     first: FirstPixel,
 }
 
-/// Which number a certificate gives to the first pixel. The wrong choice shifts a C12880MA by 2.7 nm.
+/// Says which number the certificate of a spectrometer gives to its first pixel. The wrong choice shifts the
+/// wavelengths of a C12880MA by 2.7 nm.
 ///
 /// See the [example](PixelWavelengths#example) of a unit whose pixels count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +57,8 @@ pub struct Rebinned<const N: usize, G> {
 }
 
 impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
-    /// Takes the coefficients of one unit, the constant one first. See the [example](#example).
+    /// Makes the scale from the coefficients in the certificate of one unit, the constant one first. See the
+    /// [example](#example).
     ///
     /// The wavelength of pixel p is `coefficients[0]` + `coefficients[1]` p + `coefficients[2]` p^2 and so
     /// on, in nm.

@@ -68,7 +68,8 @@ pub struct Miss {
 }
 
 impl Miss {
-    /// Returns the color difference CIEDE2000 between the two colors.
+    /// Returns the CIEDE2000 difference between the color that was asked for and the one that the spectrum
+    /// has.
     ///
     /// It is NaN for components of 1e16 and beyond, for which f32 cannot compute it.
     #[cfg(feature = "libm")]

@@ -117,7 +117,7 @@ pub enum FluorescenceError {
         /// The bin in which the light leaves, counted from 0.
         to: usize,
     },
-    /// A quantum yield that is outside 0..=1 or not a number. See the [example](#example).
+    /// The quantum yield is outside 0..=1, or it is not a number. See the [example](#example).
     QuantumYield,
     /// An emission spectrum that is zero everywhere. See the [example](#example).
     NoEmission,

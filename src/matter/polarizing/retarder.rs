@@ -52,9 +52,9 @@ impl<const N: usize, G: Bands> Retarder<N, G> {
     /// of their path differences. See the [example](#example).
     ///
     /// # Accuracy
-    /// Compared with the mean over each bin of light constant per nm, as a share of the incident light: 5e-3
-    /// in 31 bins of the default grid, up to 1 mm of path difference, and 1e-2 in 16
-    /// (`tests/matter/polarization.rs`).
+    /// The error is 5e-3 of the incident light in 31 bins of the default grid, and 1e-2 in 16 bins, for path
+    /// differences up to 1 mm. It is measured against the exact mean over each bin of a light that has the
+    /// same power at every wavelength (`tests/matter/polarization.rs`).
     #[must_use]
     pub const fn from_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self
     where

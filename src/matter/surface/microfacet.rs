@@ -193,7 +193,7 @@ impl TrowbridgeReitz {
 /// let copper = Microfacet { facets: TrowbridgeReitz::new(0.3), boundary: Conductor::new(1.15, 2.56) };
 /// let f = copper.f(Direction::NORMAL, Direction::NORMAL);
 /// assert!((f - 0.5203).abs() < 1e-4);
-/// // What a perfect reflector as rough as can be returns.
+/// // The share that a perfect reflector of the greatest roughness returns: 1 - ln 2.
 /// let rough = Microfacet { facets: TrowbridgeReitz::new(1.0), boundary: 1.0 };
 /// let rho = rho_hd(&rough, Direction::NORMAL, &VisibleNormals::<16, 32>);
 /// assert!((rho - 0.306_853).abs() < 2e-3);

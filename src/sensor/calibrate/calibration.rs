@@ -80,8 +80,10 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         sums
     }
 
-    /// Multiplies every result by `k`: what a reference lux meter reads, divided by this calibration's Y. See
-    /// the [example](#example).
+    /// Multiplies every result by `k`.
+    ///
+    /// To have Y in lux, show a light to the sensor and to a reference lux meter, and pass what the lux meter
+    /// reads divided by the Y that this calibration gives. See the [example](#example).
     #[must_use]
     pub const fn scaled(mut self, k: f32) -> Self {
         const_for!(0..D, |d| const_for!(0..C, |c| self.0[d][c] *= k));
@@ -210,7 +212,8 @@ impl<const C: usize, const D: usize> defmt::Format for Calibration<C, D> {
 pub struct CrosstalkError;
 
 impl CrosstalkError {
-    /// Returns the reason, for [`const_unwrap!`](crate::const_unwrap) too.
+    /// Returns the reason as a text, which [`const_unwrap!`](crate::const_unwrap) shows when it stops a
+    /// build.
     #[must_use]
     pub const fn message(&self) -> &'static str {
         "the cross-talk mixes channels so that they cannot be told apart again"

@@ -239,7 +239,7 @@ const fn finite<const C: usize, const D: usize>(rows: [[f32; C]; D]) -> Result<C
     Ok(Calibration::from_rows(rows))
 }
 
-/// Why no calibration or spectrum could be computed.
+/// Says why no calibration or spectrum could be computed from the given patches or counts.
 ///
 /// # Example
 ///
@@ -261,7 +261,8 @@ pub enum FitError {
     TooFew {
         /// How many patches there are, where those of weight 0 do not count.
         patches: u32,
-        /// How many patches are needed at least; three times as many make sense.
+        /// The smallest number of patches that can determine the matrix. Three times as many are a good
+        /// choice.
         needed: usize,
     },
     /// The channels cannot be told apart. See the [example](#example).

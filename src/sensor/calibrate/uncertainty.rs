@@ -117,16 +117,18 @@ impl XyzCovariance {
     /// Computes the standard uncertainties of the color temperature and Duv of `xyz`. See the
     /// [example](#example).
     ///
-    /// `None` if it has no color temperature. The result holds to first order: as long as the chromaticity is
-    /// uncertain by less than its distance from 1000 K, from infinite temperature, and from the center of
-    /// curvature of the locus, which is 0.05 or more away.
+    /// The result is `None` if `xyz` has no color temperature. It is computed to first order, so the
+    /// uncertainty of the chromaticity must be small beside its distances from the two ends of the locus
+    /// (1000 K and infinite temperature) and from the center of curvature of the locus, which is 0.05 or more
+    /// away.
     ///
     /// # Accuracy
-    /// 1.6 % of color temperature, 0.4 % of Duv (swept in `tests/sensor/measures.rs`). The slopes are central
-    /// differences of [`Uv1960::cct`] over 1e-3 in u and in v, one-sided ones beside the ends of its range.
+    /// The uncertainty of the color temperature is within 1.6 %, and that of Duv within 0.4 %, of what the
+    /// exact slopes give (swept in `tests/sensor/measures.rs`). The slopes are central differences of
+    /// [`Uv1960::cct`] over 1e-3 in u and in v, and one-sided differences beside the ends of its range.
     ///
     /// # Cost
-    /// Five color temperatures.
+    /// It computes five color temperatures.
     ///
     /// # Reference
     /// JCGM 100:2008 (GUM), 5.2.2.

@@ -128,7 +128,8 @@ pub struct Chip {
     pub ladder: &'static [&'static [f32]],
     /// The largest count that a channel can report. See the [example](#example).
     pub largest_count: u32,
-    /// Whether counts are whole numbers, which those of chips that calibrate themselves are not.
+    /// Says whether the chip reports whole numbers. A chip that corrects its counts by its own calibration
+    /// reports fractions.
     pub whole_counts: bool,
     /// The rows of `TO_XYZ`, if the maker of the chip publishes such a matrix.
     pub to_xyz: Option<[&'static [f32]; 3]>,

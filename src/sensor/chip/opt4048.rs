@@ -20,11 +20,10 @@
 use crate::sensor::chip::{Chip, rows};
 use crate::sensor::{Calibration, Exposure};
 
-/// Returns the exposure of every reading, which makes the basic counts of the [codes](code) the codes
-/// themselves.
+/// Returns the exposure that holds for every reading of this chip.
 ///
-/// Codes do not depend on range and conversion time, so that there is nothing to set. See the module's
-/// [example](self#example).
+/// There is nothing to set, because a [code] means the same light at every range and conversion time.
+/// Basic counts are therefore equal to the codes. See the module's [example](self#example).
 #[must_use]
 pub const fn exposure() -> Exposure {
     Exposure::new(1.0, 1.0, LARGEST)

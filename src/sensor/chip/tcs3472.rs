@@ -32,9 +32,10 @@ use crate::sensor::chip::{Chip, Setting};
 
 /// Returns the exposure that belongs to a gain (one of [`GAINS`]) and the register ATIME.
 ///
-/// Each of 256 - ATIME cycles lasts 2.4 ms and fills 1024 counts. Below 150 ms a light on mains may saturate
-/// the cell in its crests while the average does not show it (ripple), so that only 75 % of the full scale
-/// are trusted there.
+/// The chip integrates for 256 - ATIME cycles, each of which lasts 2.4 ms and adds up to 1024 counts. A light
+/// on mains flickers, and its crests may saturate the cell although the average stays below full scale (the
+/// data sheet calls this ripple saturation). For times below 150 ms only 75 % of the full scale is therefore
+/// trusted.
 ///
 /// ```
 /// # use nanospectra::sensor::chip::tcs3472;

@@ -93,7 +93,8 @@ impl<const C: usize> FixedMeter<C> {
     /// Makes a meter that first subtracts these dark levels, in counts of the exposure, from each channel.
     /// See the [example](#example).
     ///
-    /// `None` as for [`new`](Self::new), and if a level is not within 0..=65 535.
+    /// The result is `None` in the same cases as that of [`new`](Self::new), and if a dark level is not
+    /// within 0..=65 535.
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,

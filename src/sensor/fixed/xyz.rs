@@ -102,7 +102,7 @@ impl FixedXyz {
 
     /// Computes CIE 1960 u and v in units of 2^-20. See the [example](#example).
     ///
-    /// `None` for black, and for what lies outside 0 <= u, v < 1.
+    /// The result is `None` for black, and for a color whose u or v is not within 0 <= u, v < 1.
     #[must_use]
     pub fn uv1960(self) -> Option<[i32; 2]> {
         // Sizes are below 2^26 and the largest is above 2^25: sums stay below 2^31, and quotients keep their

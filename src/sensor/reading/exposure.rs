@@ -42,7 +42,7 @@ impl Exposure {
     /// Makes the exposure of any chip from its gain, its integration time in ms, and the first count that
     /// cannot be trusted any more (below 2^31).
     ///
-    /// Gain and time are above zero; with others, or a product that overflows, every reading is NaN.
+    /// Gain and time must be above zero, and their product must not overflow. If not, every reading is NaN.
     ///
     /// A reading is too dark when all channels together count less than 1 above their dark levels; see
     /// [`with_floor`](Self::with_floor) for another limit.

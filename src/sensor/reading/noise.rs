@@ -14,7 +14,7 @@ use crate::sensor::{BasicCounts, Count, Exposure};
 /// use nanospectra::sensor::{Exposure, Noise};
 ///
 /// // 10 000 counts at unit gain are a million electrons: a variance of 100 counts squared. The converter
-/// // adds 2 counts squared, and the rounding to whole counts 1/12.
+/// // adds the square of 2 counts, and the rounding to whole counts 1/12.
 /// let noise = Noise { electrons_per_count: 100.0, read_counts: 2.0 };
 /// let variances = noise.variances(&Exposure::new(1.0, 1.0, 65_535), &[10_000_u16]);
 /// let [variance] = variances.to_array();

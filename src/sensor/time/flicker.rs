@@ -207,7 +207,7 @@ impl Exposure {
 /// Computes the longest time in ms that holds whole periods of `frequency_hz` and is no longer than
 /// `at_most_ms` (to rounding).
 ///
-/// `None` if not even one period fits.
+/// The result is `None` if not even one period fits.
 ///
 /// ```
 /// # use nanospectra::sensor::whole_periods_ms;
