@@ -163,6 +163,51 @@ fn surfaces_adapted_to_d65_have_their_srgb_codes() {
     encoded.tight(2547);
 }
 
+/// The luminances of the primaries as the standards print them: IEC 61966-2-1, SMPTE EG 432-1, ITU-R BT.2020-2,
+/// Adobe RGB (1998), Academy S-2014-004.
+#[test]
+fn the_luminance_of_each_primary_is_the_published_one() {
+    fn of<S: RgbSpace>() -> [f32; 3] {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            .map(|[r, g, b]| Rgb::<S>::new(r, g, b).luminance())
+    }
+    for (name, found, published) in [
+        ("sRGB", of::<Srgb>(), [0.2126, 0.7152, 0.0722]),
+        ("Display P3", of::<DisplayP3>(), [0.2290, 0.6917, 0.0793]),
+        ("BT.2020", of::<Bt2020>(), [0.2627, 0.6780, 0.0593]),
+        ("Adobe RGB", of::<AdobeRgb>(), [0.29734, 0.62736, 0.07529]),
+        ("ACEScg", of::<AcesCg>(), [0.272_23, 0.674_08, 0.053_69]),
+    ] {
+        for (found, published) in found.into_iter().zip(published) {
+            // They are printed to four digits, and sRGB has the matrix of rounded ones.
+            assert!((found - published).abs() < 6e-5, "{name}: {found}, published {published}");
+        }
+    }
+    // Lights add up: 0.2126 * 0.5 + 0.7152 * 0.25 + 0.0722 * 2.
+    assert!((Rgb::<Srgb>::new(0.5, 0.25, 2.0).luminance() - 0.4295).abs() < 1e-4);
+}
+
+#[test]
+fn the_least_excess_is_dimmed_and_full_scale_is_not() {
+    let full = Rgb::<Srgb>::new(0.5, 1.0, 0.25).dim();
+    assert_eq!((full.rgb.to_array(), full.was_inside), ([0.5, 1.0, 0.25], true));
+    for above in [1.0f32.next_up(), 1.0001, 1.0005, 1.002] {
+        let dimmed = Rgb::<Srgb>::new(0.5, above, 0.25).dim();
+        assert_eq!((dimmed.rgb.to_array(), dimmed.was_inside), ([0.5 / above, 1.0, 0.25 / above], false));
+    }
+}
+
+#[test]
+fn no_more_gray_is_mixed_in_than_the_gamut_asks_for() {
+    // The luminance is 0.4299, and 0.4299 / 0.6299 of the way from this gray to the color red is zero.
+    let cyan = Rgb::<Srgb>::new(-0.2, 0.6, 0.6).desaturate().rgb.to_array();
+    // The luminance is 0.2722, and 0.7278 / 0.9278 of the way blue is at full scale.
+    let blue = Rgb::<Srgb>::new(0.2, 0.2, 1.2).desaturate().rgb.to_array();
+    for (found, exact) in cyan.into_iter().chain(blue).zip([0.0, 0.5460, 0.5460, 0.215_56, 0.215_56, 1.0]) {
+        assert!((found - exact).abs() < 2e-5, "{cyan:?}, {blue:?}: {found}, not {exact}");
+    }
+}
+
 #[test]
 fn gamut_mapping_keeps_what_it_says() {
     type P3 = Rgb<DisplayP3>;

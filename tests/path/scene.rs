@@ -350,6 +350,25 @@ fn two_effects_that_each_would_fit_do_not_both_go() {
 }
 
 #[test]
+fn of_effects_that_save_as_much_the_first_goes() {
+    let pool = Pool::new();
+    let sun = lamp::<31>("D65");
+    // With a filter between the two papers neither makes the same difference. The budget has room for one.
+    let scene: Scene<31, 3> = pool.scene(&[3, 0, 3]);
+    let saves = [0, 2].map(|k| scene.leaving_out(k).price().multiply_adds);
+    assert_eq!(saves[0], saves[1]);
+    let alone = [0, 2].map(|k| scene.difference(&scene.leaving_out(k), &EYE, &sun));
+    let both = scene.difference(&scene.leaving_out(0).leaving_out(2), &EYE, &sun);
+    let budget = 0.5 * (alone[0].max(alone[1]) + both);
+    assert!(
+        alone[0] != alone[1] && alone[0] < budget && alone[1] < budget && budget < both,
+        "{alone:?} {both}"
+    );
+    let found = scene.within_budget(&EYE, &sun, budget);
+    assert!(found.scene.left_out().eq([0]) && found.delta_e == alone[0], "{found:?}");
+}
+
+#[test]
 fn short_names_are_portable_and_other_functions_judge_alike() {
     let (pool, sun) = (Pool::new(), lamp::<31>("FL7"));
     let scene: Scene<31, 4> = pool.scene(&[0, 3, 4, 2]);

@@ -133,6 +133,30 @@ fn glasses_have_the_indices_of_their_data_sheets() {
     numbers.tight(3);
 }
 
+/// Six coefficients are more than three indices can hold: as they are published, and indices far from the visible.
+#[test]
+fn glasses_have_their_published_coefficients() {
+    // Schott's data sheets.
+    let bk7 = [[1.039_612_12, 0.231_792_344, 1.010_469_45], [0.006_000_698_67, 0.020_017_914_4, 103.560_653]];
+    let sf11 = [[1.737_596_95, 0.313_747_346, 1.898_781_01], [0.013_188_707, 0.062_306_814_2, 155.236_29]];
+    assert_eq!([N_BK7.b, N_BK7.c], bk7);
+    assert_eq!([N_SF11.b, N_SF11.c], sf11);
+    // Malitson has the wavelengths of the resonances, in um, and not their squares.
+    let malitson = [0.068_404_3f64, 0.116_241_4, 9.896_161].map(|um| (um * um) as f32);
+    assert_eq!([FUSED_SILICA.b, FUSED_SILICA.c], [[0.696_166_3, 0.407_942_6, 0.897_479_4], malitson]);
+    // His table I, from the ultraviolet to the infrared.
+    for (nm, n) in [
+        (213.856, 1.534_307),
+        (404.656, 1.469_618),
+        (1013.98, 1.450_242),
+        (2325.42, 1.432_928),
+        (3706.7, 1.399_389),
+    ] {
+        let found = FUSED_SILICA.index(nm).expect("transparent");
+        assert!((found - n).abs() < 1e-6, "{nm} nm: {found}, published {n}");
+    }
+}
+
 #[test]
 fn a_glass_has_no_index_at_a_resonance() {
     let resonant = Sellmeier { b: [1.0, 0.0, 0.0], c: [0.25, 0.02, 100.0] };

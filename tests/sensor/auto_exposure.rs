@@ -71,6 +71,19 @@ fn noise_does_not_make_the_exposure_swing() {
     }
 }
 
+/// Between the target and half way from it to full scale an exposure is neither left nor taken.
+#[test]
+fn an_exposure_is_left_only_half_way_between_the_target_and_full_scale() {
+    let ladder = [1.0, 2.0].map(|gain| Exposure::new(gain, 50.0, 10_000));
+    let auto = AutoExposure::new(&ladder).expect("a ladder");
+    for (target, keeps, leaves) in [(0.8, 8999, 9001), (0.5, 7500, 7501), (0.6, 7999, 8001)] {
+        let auto = auto.with_target(target);
+        let next = |count: u16| auto.advise(1, &[10, count]);
+        assert_eq!(next(keeps), Advice { next: 1, saturated: false }, "{target}");
+        assert_eq!(next(leaves), Advice { next: 0, saturated: false }, "{target}");
+    }
+}
+
 #[test]
 fn advice_never_leaves_the_ladder() {
     let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");

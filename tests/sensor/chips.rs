@@ -39,6 +39,31 @@ fn channels_and_what_is_known_of_them_are_as_many() {
     assert_eq!(chip::named("AS7265x").and_then(|chip| chip.peak_nm(17)), Some(940.0));
 }
 
+/// The peaks in nm by the data sheets of the makers: DS000504 (AS7341), DS001046 (AS7343), and those of the AS7262
+/// and the AS7265x, whose channels are called by them.
+#[test]
+fn every_channel_peaks_where_the_data_sheet_says() {
+    let peaks: [(&str, &[f32]); 4] = [
+        ("AS7341", &[415.0, 445.0, 480.0, 515.0, 555.0, 590.0, 630.0, 680.0]),
+        ("AS7343", &[405.0, 425.0, 450.0, 475.0, 515.0, 550.0, 555.0, 600.0, 640.0, 690.0, 745.0]),
+        ("AS7262", &[450.0, 500.0, 550.0, 570.0, 600.0, 650.0]),
+        (
+            "AS7265x",
+            &[
+                410.0, 435.0, 460.0, 485.0, 510.0, 535.0, 560.0, 585.0, 610.0, 645.0, 680.0, 705.0, 730.0,
+                760.0, 810.0, 860.0, 900.0, 940.0,
+            ],
+        ),
+    ];
+    for chip in chip::ALL {
+        let published = peaks.iter().find(|(name, _)| *name == chip.name).map_or(&[][..], |(_, peaks)| peaks);
+        let found: Vec<f32> = (0..chip.channels.len()).filter_map(|k| chip.peak_nm(k)).collect();
+        assert_eq!(found, published, "{}", chip.name);
+        let named: Vec<f32> = chip.channels.iter().filter_map(|name| name.parse().ok()).collect();
+        assert!(named.is_empty() || named == published, "{}: {named:?}", chip.name);
+    }
+}
+
 /// The last values of their registers, by the data sheets: AS7341 and AS7343 reserve the last ASTEP.
 #[test]
 fn registers_end_where_the_data_sheets_say() {

@@ -291,6 +291,18 @@ fn whole_periods_leave_no_flicker() {
     }
 }
 
+/// Rates are not round numbers: a hundred thousandth of a period may be missing, and no more.
+#[test]
+fn a_period_that_is_nearly_whole_counts() {
+    // Of five periods of 10 ms 0.8 and 1.2 hundred thousandths are missing.
+    assert_eq!(whole_periods_ms(100.0, 49.9996), Some(50.0));
+    assert_eq!(whole_periods_ms(100.0, 49.9994), Some(40.0));
+    // Four readings of a flicker with periods of 2 and of nearly 2 readings.
+    let readings = [1.0, 3.0, 1.0, 7.0];
+    assert_eq!(mean_over_periods(&readings, 1000.0, 499.997), Some(3.0));
+    assert!(mean_over_periods(&readings, 1000.0, 499.98).is_some_and(|mean| (mean - 2.0).abs() < 1e-3));
+}
+
 #[test]
 fn colors_near_every_corner_of_the_range_have_an_uncertainty() {
     let covariance = XyzCovariance { xx: 1.0, yy: 1.0, zz: 1.0, ..XyzCovariance::default() };

@@ -61,6 +61,32 @@ fn an_opt4048_reads_lux_from_its_codes() {
 }
 
 #[test]
+fn the_codes_of_an_opt4048_double_with_each_step_of_the_exponent() {
+    for exponent in 0..=12 {
+        assert_eq!(opt4048::code(0x000f_ffff, exponent), 0x000f_ffff << exponent, "{exponent}");
+    }
+    // 20 bits of mantissa end at bit 31 with an exponent of 12; the four bits on the bus can say more.
+    for exponent in [13, 15, u8::MAX] {
+        assert_eq!(opt4048::code(0x000f_ffff, exponent), 0xffff_f000, "{exponent}");
+    }
+}
+
+#[test]
+fn a_full_scale_may_be_anything_below_2_to_the_31() {
+    for full in [1, 18_000, 1 << 27, (1 << 27) + 1, 1 << 30, 0x7fff_fffe, 0x7fff_ffff] {
+        let exposure = Exposure::new(1.0, 1.0, full);
+        assert_eq!(exposure.full_scale(), full);
+        assert!(
+            exposure.saturated(&[full - 1]).count() == 0 && exposure.saturated(&[full]).count() == 1,
+            "{full}"
+        );
+    }
+    for beyond in [1 << 31, u32::MAX] {
+        assert_eq!(Exposure::new(1.0, 1.0, beyond).full_scale(), 0x7fff_ffff);
+    }
+}
+
+#[test]
 fn basic_counts_do_not_depend_on_the_exposure() {
     let bright = as7341::exposure(1.0, 29, 599).basic_counts(&[1000_u16, 2000]).expect("a reading");
     let long = as7341::exposure(4.0, 59, 599).basic_counts(&[8000_u32, 16_000]).expect("a reading");

@@ -5,13 +5,14 @@
 use crate::{LIGHT, cube};
 use model::allowed::{Singles, check};
 use model::csv::{Row, golden};
+use model::delta_e::de2000;
 use nanospectra::color::transfer::{Bt1886, SrgbTransfer, Transfer};
 use nanospectra::color::{AcesCg, AdobeRgb, Bt2020, DisplayP3, EncodedRgb, Rgb, RgbSpace, Srgb, Xyz};
 use nanospectra::light::{D65, daylight};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{
-    Basis, CubicStart, LinearStart, QuinticStart, Sigmoid, SigmoidReflectance, Smits, SmitsBins, StartMap,
-    Status, Viewing,
+    Basis, CubicStart, LinearStart, Miss, QuinticStart, Sigmoid, SigmoidReflectance, Smits, SmitsBins,
+    StartMap, Status, Viewing,
 };
 use nanospectra::{Bins, Curve, Grid, Interpolation, Nodes, Reflectance};
 
@@ -158,6 +159,17 @@ fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
     println!("{:?}: {share:.4} solved within {worst}, the others off by {nearest} and more", S::default());
     assert!(worst <= 2e-3 && nearest > 5e-4, "{worst} {nearest}");
     share
+}
+
+#[test]
+fn a_miss_is_told_in_both_color_differences() {
+    // Cubes, so that Lab comes out by hand: (76.8, 50, 20) and (88.4, -50, 0).
+    let white = Xyz::new(100.0, 100.0, 100.0);
+    let miss = Miss { asked: Xyz::new(72.9, 51.2, 34.3), given: Xyz::new(51.2, 72.9, 72.9), white };
+    let length = (11.6f64 * 11.6 + 100.0 * 100.0 + 20.0 * 20.0).sqrt();
+    assert!((f64::from(miss.delta_e76()) - length).abs() < 1e-4, "{}", miss.delta_e76());
+    let exact = de2000([76.8, 50.0, 20.0], [88.4, -50.0, 0.0]);
+    assert!((f64::from(miss.delta_e()) - exact).abs() < 1e-4, "{}, not {exact}", miss.delta_e());
 }
 
 #[test]

@@ -251,6 +251,13 @@ fn notes_say_how_the_samples_were_used() {
     assert!(has_note(&reading("400 1\n700 1\n"), "data", "400..700 nm; what is outside counts as zero"));
     assert!(has_note(&reading("300 1\n500 1\n900 1\n"), "data", "2 samples outside 360..830"));
     assert!(has_note(&reading("400 1\n500 -0.5\n600 3\n"), "data", "1 negative"));
+    // Zero is not negative, and steps of 20 nm are not coarse.
+    let dark = reading("400 0\n420 -0.5\n440 0\n460 3\n480 0\n");
+    assert!(has_note(&dark, "data", "1 negative values"), "{:?}", notes(&dark));
+    assert!(!has_note(&dark, "data", "nm wide"), "{:?}", notes(&dark));
+    let coarse = reading("400 0\n420 0.5\n440.5 0\n460 3\n480 0\n");
+    assert!(!has_note(&coarse, "data", "negative"), "{:?}", notes(&coarse));
+    assert!(has_note(&coarse, "data", "the steps are up to 20.5 nm wide"), "{:?}", notes(&coarse));
     // 499.9 is read for 499 nm, 500.1 for 500 and 501, 500.3 and 500.5 by none, 500.7 for 501.
     let fine = reading("499.9 1\n500.1 1\n500.3 1\n500.5 1\n500.7 1\n501.2 1\n");
     assert!(has_note(&fine, "data", "2 of 6 samples"), "{:?}", notes(&fine));

@@ -60,6 +60,7 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[[part]]\npolarizer = { axis_deg = 0, along = 2 }\n", 4, "along and across"),
     ("[[part]]\npolarizer.axis_deg = inf\n", 4, "axis_deg = inf"),
     ("[[part]]\nretarder = { path_difference_nm = -1, axis_deg = 0 }\n", 4, "path_difference_nm = -1"),
+    ("[[part]]\nretarder = { path_difference_nm = 100000.01, axis_deg = 0 }\n", 4, "give 0..100000"),
     (
         "[[part]]\n[part.dye]\nreflectance = [[400, 0.5], [700, 0.5]]\nabsorption = [[400, 0.9], [700, 0]]\n\
          emission = [[500, 1], [600, 1]]\nquantum_yield = 0.9\n",

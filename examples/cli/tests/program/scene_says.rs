@@ -54,7 +54,8 @@ fn matt_is_what_scatters_last_whatever_sheets_are_behind_it() {
         ("", 1.0),
         ("filter.flat = 0.5", 0.5),
         ("polarizer.axis_deg = 20", 0.5),
-        ("retarder = { path_difference_nm = 100, axis_deg = 0 }", 1.0),
+        ("retarder = { path_difference_nm = 0, axis_deg = 0 }", 1.0),
+        ("retarder = { path_difference_nm = 100000, axis_deg = 0 }", 1.0),
     ] {
         let sheet = if sheet.is_empty() { String::new() } else { format!("[[part]]\n{sheet}\n") };
         assert_near(&luminance(&format!("{paper}{sheet}")), 80.0 * share / pi, 1e-4);

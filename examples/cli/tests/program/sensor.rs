@@ -124,6 +124,25 @@ fn flicker_is_found_at_its_frequency_and_averages_to_its_duty() {
 }
 
 #[test]
+fn steps_of_time_are_equal_to_two_hundredths() {
+    let run = |middle: &str| {
+        let rows = ["0", middle, "2"].map(|time| format!("{time},8,29,599,90,90,90,90,90,90,90,90\n"));
+        let log = format!("time,gain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n{}", rows.concat());
+        SENSOR.json_with(&log, &["-"]).pop().expect("a run at the end")
+    };
+    for middle in ["1", "1.019", "0.981"] {
+        assert_near(middle, &run(middle)["rate_hz"], 1.0, 1e-6);
+    }
+    for middle in ["1.021", "0.979"] {
+        let run = run(middle);
+        assert!(
+            run["rate_hz"].is_null() && run.to_string().contains("the steps of time are not equal"),
+            "{run}"
+        );
+    }
+}
+
+#[test]
 fn measured_responsivities_give_lux_and_photons() {
     // The simulated chip's own, in basic counts for each W/m2, every 3 nm.
     let mut text = "nm,f8,f7,f6,f5,f4,f3,f2,f1\n".to_owned();
