@@ -163,8 +163,8 @@ fn surfaces_adapted_to_d65_have_their_srgb_codes() {
     encoded.tight(2547);
 }
 
-/// The luminances of the primaries as the standards print them: IEC 61966-2-1, SMPTE EG 432-1, ITU-R BT.2020-2,
-/// Adobe RGB (1998), Academy S-2014-004.
+/// The luminances of the primaries as the standards print them: IEC 61966-2-1, SMPTE EG 432-1, ITU-R
+/// BT.2020-2, Adobe RGB (1998), Academy S-2014-004.
 #[test]
 fn the_luminance_of_each_primary_is_the_published_one() {
     fn of<S: RgbSpace>() -> [f32; 3] {

@@ -133,7 +133,8 @@ fn glasses_have_the_indices_of_their_data_sheets() {
     numbers.tight(3);
 }
 
-/// Six coefficients are more than three indices can hold: as they are published, and indices far from the visible.
+/// Three indices in the visible do not hold six coefficients, so these are compared with the published ones,
+/// and indices far from the visible too.
 #[test]
 fn glasses_have_their_published_coefficients() {
     // Schott's data sheets.

@@ -39,8 +39,8 @@ fn channels_and_what_is_known_of_them_are_as_many() {
     assert_eq!(chip::named("AS7265x").and_then(|chip| chip.peak_nm(17)), Some(940.0));
 }
 
-/// The peaks in nm by the data sheets of the makers: DS000504 (AS7341), DS001046 (AS7343), and those of the AS7262
-/// and the AS7265x, whose channels are called by them.
+/// The peaks in nm by the data sheets of the makers: DS000504 (AS7341), DS001046 (AS7343), and those of the
+/// AS7262 and the AS7265x, whose channels are called by them.
 #[test]
 fn every_channel_peaks_where_the_data_sheet_says() {
     let peaks: [(&str, &[f32]); 4] = [

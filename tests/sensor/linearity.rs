@@ -85,10 +85,12 @@ fn what_bends_back_is_refused() {
 
 #[test]
 fn a_slope_is_refused_once_it_may_reach_zero_between_two_places() {
-    // x - c x^2 is flattest at 1, and its slope changes by 2 c: refused from 1 - 2 c = 2 c / 512 on, c = 0.499 03.
+    // x - c x^2 is flattest at 1, and its slope changes by 2 c: refused from 1 - 2 c = 2 c / 512 on, which is
+    // c = 0.499 03.
     assert!(Nonlinearity::new([-0.4990]).is_some());
     assert_eq!(Nonlinearity::new([-0.4991]), None);
-    // Of x + a x^2 + b x^3 the slope is least half way between two of the 257 places, and below zero only there.
+    // The slope of x + a x^2 + b x^3 is least half way between two of the 257 places, and below zero only
+    // between these two.
     let [a, b] = [-1.992_222_f32, 1.322_98];
     let slope = |x: f64| 1.0 + 2.0 * f64::from(a) * x + 3.0 * f64::from(b) * x * x;
     let between = 128.5 / 256.0;
