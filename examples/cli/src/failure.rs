@@ -31,7 +31,8 @@ impl Failure {
 
     /// Returns the failure of standard output.
     pub fn of_stdout(error: &io::Error) -> Self {
-        let what = format!("the output cannot be written ({}); check that its disk is not full", error.kind());
+        let what =
+            format!("the output cannot be written ({}); check that its disk is not full", error.kind());
         Failure { code: UNWRITTEN, ..Failure::of("stdout", what) }
     }
 }
