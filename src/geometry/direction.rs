@@ -14,6 +14,7 @@ use core::ops::Neg;
 ///
 /// # Example
 /// ```
+/// # #[cfg(feature = "libm")] {
 /// use nanospectra::geometry::Direction;
 ///
 /// let w = Direction::spherical(0.5, 2.0); // zenith angle theta and azimuth phi, in radians
@@ -26,6 +27,7 @@ use core::ops::Neg;
 /// let wo = wi.mirrored();
 /// assert!((wi.dot(wo) - 0.5).abs() < 1e-6); // they are 60 degrees apart
 /// assert_eq!(wi.halfway(wo), Some(Direction::NORMAL));
+/// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -194,10 +196,12 @@ impl Direction {
     ///
     /// # Example
     /// ```
+    /// # #[cfg(feature = "libm")] {
     /// # use nanospectra::geometry::Direction;
     /// // Light from the zenith meets a facet tilted by 0.3 rad, and leaves at twice that angle.
     /// let wo = Direction::NORMAL.reflected(Direction::spherical(0.3, 1.0));
     /// assert!((wo.theta_rad() - 0.6).abs() < 1e-6);
+    /// # }
     /// ```
     #[must_use]
     pub fn reflected(self, wm: Self) -> Self {

@@ -52,10 +52,12 @@ impl<V: Carried> PointSource<V> {
 ///
 /// # Example
 /// ```
+/// # #[cfg(feature = "libm")] {
 /// use nanospectra::radiometry::{Nit, SphereSource};
 /// let globe = SphereSource { position_m: [0.0, 0.0, 2.0], radius_m: 0.25, radiance: Nit::from(1000.0) };
 /// let straight_below = globe.irradiance([0.0; 3], [0.0, 0.0, 1.0]);
 /// assert_eq!(format!("{straight_below:.2}"), "49.09 lx"); // pi L (r / d)^2
+/// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereSource<V> {
@@ -133,6 +135,7 @@ impl<V: Carried> DiskSource<V> {
 ///
 /// # Example
 /// ```
+/// # #[cfg(feature = "libm")] {
 /// use nanospectra::radiometry::{Nit, RectangleSource};
 /// // A panel of 1 m x 1 m in the ceiling that faces the floor 1 m below. Its form factor is 0.239456.
 /// let panel = RectangleSource {
@@ -142,6 +145,7 @@ impl<V: Carried> DiskSource<V> {
 /// };
 /// let floor = panel.irradiance([0.0; 3], [0.0, 0.0, 1.0]);
 /// assert_eq!(format!("{floor:.1}"), "3009.1 lx"); // pi L F
+/// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RectangleSource<V> {
