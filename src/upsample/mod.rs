@@ -80,6 +80,7 @@ mod kubelka_munk;
 mod meaning;
 mod metamer;
 mod newton;
+mod problem;
 mod rsqrt;
 mod shape;
 mod sigmoid;

@@ -6,6 +6,7 @@ use crate::grid::{Bins, Grid};
 use crate::math::const_for;
 use crate::upsample::meaning::{SigmoidIlluminant, SigmoidReflectance, SigmoidUnbounded};
 use crate::upsample::newton::{self, Found, Rows};
+use crate::upsample::problem::{Problem, range};
 use crate::upsample::shape::{Shape, X};
 use crate::upsample::start::{CubicStart, StartMap};
 use crate::upsample::status::{Miss, Solved, Status};
@@ -58,15 +59,6 @@ pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = CubicStart>
     /// The responses of white before they are scaled to 1.
     white: [f32; 3],
     kind: PhantomData<(G, S, M)>,
-}
-
-/// A color on its way to the solver.
-enum Problem {
-    /// There is nothing to solve: the spectrum is this constant, and the flag says whether it has the color.
-    Done(f32, bool),
-    /// A curve with these responses is to be found. The reflectance is `scale` times the curve, or 1 minus
-    /// that.
-    Solve { responses: [f32; 3], scale: f32, complement: bool },
 }
 
 /// How many colors the solver takes at once. Eight fill the vectors of AVX, and four those of SSE, which has
@@ -136,7 +128,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// See the [example](crate::upsample#example) of the module.
     #[must_use]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
-        let problem = self.problem(rgb.to_array());
+        let problem = Problem::of(rgb.to_array(), &self.response);
         self.solved(rgb, problem, |responses| newton::solve::<N, M>(&self.rows, responses))
     }
 
@@ -278,7 +270,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// ```
     #[must_use]
     pub fn solve(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
-        match self.problem(rgb.to_array()) {
+        match Problem::of(rgb.to_array(), &self.response) {
             Problem::Done(share, exact) => exact.then_some(SigmoidReflectance::gray(share)),
             Problem::Solve { responses, scale, complement } => {
                 let q = newton::exact::<N, M>(&self.rows, responses)?;
@@ -289,7 +281,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
 
     #[inline(never)]
     fn solve_lanes<const L: usize>(&self, rgb: &[Rgb<S>; L], all: &mut [Solved<SigmoidReflectance>; L]) {
-        let problems = rgb.map(|rgb| self.problem(rgb.to_array()));
+        let problems = rgb.map(|rgb| Problem::of(rgb.to_array(), &self.response));
         let mut responses = [[0.5; 3]; L];
         for (responses, problem) in responses.iter_mut().zip(&problems) {
             if let Problem::Solve { responses: asked, .. } = problem {
@@ -300,37 +292,6 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         for (((rgb, solved), problem), found) in rgb.iter().zip(all).zip(problems).zip(found) {
             *solved = self.solved(*rgb, problem, |_| found);
         }
-    }
-
-    /// Returns what the solver has to do for a color. (It is written without `f32::max`, which is a function
-    /// call on a Cortex-M4F.)
-    #[inline(always)]
-    fn problem(&self, rgb: [f32; 3]) -> Problem {
-        let [r, g, b] = rgb;
-        let (smallest, largest) = range(rgb);
-        // Zero times a NaN or an infinity is NaN, and so the sum is not zero.
-        if 0.0 * r + 0.0 * g + 0.0 * b != 0.0 {
-            return Problem::Done(f32::NAN, false);
-        }
-        if largest <= 0.0 {
-            return Problem::Done(0.0, smallest == 0.0);
-        }
-        if smallest >= 1.0 {
-            return Problem::Done(1.0, largest == 1.0);
-        }
-        if smallest == largest {
-            return Problem::Done(r, true);
-        }
-        // `color` is c or 1 - c for each component c, enlarged so that the largest component is 1/2.
-        let (offset, sign, scale) = if largest < 0.5 {
-            (0.0, 1.0, 2.0 * largest)
-        } else if smallest > 0.5 {
-            (1.0, -1.0, 2.0 * (1.0 - smallest))
-        } else {
-            (0.0, 1.0, 1.0)
-        };
-        let color = [(offset + sign * r) / scale, (offset + sign * g) / scale, (offset + sign * b) / scale];
-        Problem::Solve { responses: apply(&self.response, color), scale, complement: sign < 0.0 }
     }
 
     /// Returns the spectrum and the status of a problem, with the curve that `solve` finds.
@@ -398,13 +359,6 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
 #[inline(never)]
 fn status_of(miss: Miss, seen: Miss) -> Status {
     if seen.is_nothing() { Status::Exact } else { Status::Unreachable(miss) }
-}
-
-/// Returns the smallest and the largest component.
-#[inline(always)]
-fn range([r, g, b]: [f32; 3]) -> (f32, f32) {
-    let (low, high) = if r < g { (r, g) } else { (g, r) };
-    (if b < low { b } else { low }, if b > high { b } else { high })
 }
 
 const fn widened(m: &[[f32; 3]; 3]) -> Matrix64 {
