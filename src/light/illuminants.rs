@@ -73,31 +73,3 @@ macro_rules! by_name {
 }
 
 include!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
-
-#[cfg(test)]
-#[cfg(feature = "libm")]
-mod tests {
-    extern crate std;
-
-    use crate::color::{Cct, Xyz};
-    use crate::light::{NAMES, named};
-    use crate::observer::CIE_1931;
-    use std::format;
-
-    #[test]
-    fn the_documentation_of_a_light_says_its_color() {
-        let text = include_str!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
-        let mut lights = 0;
-        for line in text.lines().filter(|line| line.contains(" with a CCT of ")) {
-            let (name, rest) = line.trim_start_matches("/// CIE ").split_once(" is ").expect(line);
-            let fine = named(&format!("{name}_1NM")).filter(|_| rest.ends_with(" steps of 1 nm."));
-            let xyz = Xyz::from(CIE_1931.sees(&fine.or_else(|| named(name)).expect(line)));
-            let (Some(xy), Some(Cct::Near { cct_k, .. })) = (xyz.xy(), xyz.cct()) else { panic!("{line}") };
-            let found = format!(" with a CCT of {cct_k:.0} K (x = {:.4}, y = {:.4}), here in", xy.x, xy.y);
-            assert!(line.contains(&found), "{line} {found}");
-            lights += 1;
-        }
-        // Equal energy has no table.
-        assert_eq!(lights, NAMES.len() - 1);
-    }
-}

@@ -341,3 +341,21 @@ fn duv_is_positive_above_the_locus_and_negative_below() {
     // Green is above, purple below.
     assert!(duv(Xy::new(0.3127, 0.3490)) > 0.01 && duv(Xy::new(0.3127, 0.3090)) < -0.005);
 }
+
+#[test]
+fn the_documentation_of_a_light_says_its_color() {
+    // What the build script has written, with the documentation of every light.
+    let text = include_str!(concat!(env!("OUT_DIR"), "/illuminants.rs"));
+    let mut lights = 0;
+    for line in text.lines().filter(|line| line.contains(" with a CCT of ")) {
+        let (name, rest) = line.trim_start_matches("/// CIE ").split_once(" is ").expect(line);
+        let fine = light::named(&format!("{name}_1NM")).filter(|_| rest.ends_with(" steps of 1 nm."));
+        let xyz = Xyz::from(CIE_1931.sees(&fine.or_else(|| light::named(name)).expect(line)));
+        let (Some(xy), Some(Cct::Near { cct_k, .. })) = (xyz.xy(), xyz.cct()) else { panic!("{line}") };
+        let found = format!(" with a CCT of {cct_k:.0} K (x = {:.4}, y = {:.4}), here in", xy.x, xy.y);
+        assert!(line.contains(&found), "{line} {found}");
+        lights += 1;
+    }
+    // Equal energy has no table.
+    assert_eq!(lights, light::NAMES.len() - 1);
+}
