@@ -6,6 +6,7 @@ mod check;
 mod docs;
 mod full;
 mod lane;
+mod mutants;
 mod shell;
 mod toolchain;
 mod workspace;
@@ -36,6 +37,11 @@ enum Task {
         #[arg(last = true)]
         harness: Vec<String>,
     },
+    /// Change the library in small ways, at random, and look whether a test fails for each of them
+    ///
+    /// It installs cargo-mutants, and takes about ten seconds for a change. With `--since COMMIT` it tries the
+    /// lines that were edited since then, which is the habit before a change is merged.
+    Mutants(mutants::Choice),
     /// Test everything that is promised, as CI does, in about half an hour on two cores
     ///
     /// It installs what it needs: compilers and targets by rustup, and valgrind, QEMU and Chromium by apt-get
@@ -63,6 +69,7 @@ fn main() -> ExitCode {
     let result = match Task::parse() {
         Task::Check(steps) => check::run(Lane::new(steps.only)),
         Task::Test { station, harness } => test(&station, &harness),
+        Task::Mutants(choice) => mutants::run(&choice),
         Task::Full(steps) => full::run(Lane::new(steps.only)),
         Task::Bless(steps) => bless::run(Lane::new(steps.only)),
     };

@@ -117,7 +117,8 @@ impl Shell {
         command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
     }
 
-    fn command<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
+    /// Returns a program with arguments, which has not been started.
+    pub fn command<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
         let mut words = words.into_iter();
         let mut command = Command::new(words.next().expect("a program"));
         command.args(words).current_dir(root().join(self.folder)).stdin(Stdio::null());
