@@ -87,6 +87,6 @@ pub use reference::RenderingError;
 pub use rgb::{EncodedRgb, Rgb};
 pub use rgb_bands::RgbBands;
 pub(crate) use rgb_space::to_xyz64;
-pub use rgb_space::{AcesCg, AdobeRgb, Bt2020, DisplayP3, RgbSpace, Srgb};
+pub use rgb_space::{Aces2065, AcesCg, AdobeRgb, Bt2020, DciP3, DisplayP3, ProPhoto, RgbSpace, Srgb};
 #[cfg(feature = "libm")]
 pub use tm30::{HueBin, Tm30, tm30};

@@ -7,8 +7,8 @@ use model::csv::golden;
 use model::tables::{Observer, source};
 use model::tristimulus::{Method, xyz_of_light};
 use nanospectra::color::{
-    AcesCg, Adaptation, AdobeRgb, Bradford, Bt2020, Cat02, Cat16, ConeResponses, DisplayP3, Rgb, RgbSpace,
-    Srgb, VonKries, Xyz,
+    Aces2065, AcesCg, Adaptation, AdobeRgb, Bradford, Bt2020, Cat02, Cat16, ConeResponses, DciP3, DisplayP3,
+    ProPhoto, Rgb, RgbSpace, Srgb, VonKries, Xyz,
 };
 use proptest::prelude::*;
 
@@ -92,8 +92,8 @@ fn adaptation_is_a_matter_of_chromaticity() {
     assert_eq!(Adaptation::between::<Bradford>(a, Xyz::new(10.0, 1.0, 150.0)), None, "a blue laser");
 }
 
-/// One RGB space against the golden and the model's matrices, on the model's digits.
-fn rgb_space<S: RgbSpace>(name: &str, [matrix, values, back]: &mut [Check; 3]) {
+/// The matrices of an RGB space against those of the model, on the model's digits.
+fn rgb_matrices<S: RgbSpace>(name: &str, matrix: &mut Check) {
     let space = model::rgb::named(name);
     for (row, expected) in S::TO_XYZ.iter().zip(space.rgb_to_xyz()) {
         matrix.add_all(name, *row, expected);
@@ -101,6 +101,11 @@ fn rgb_space<S: RgbSpace>(name: &str, [matrix, values, back]: &mut [Check; 3]) {
     for (row, expected) in S::FROM_XYZ.iter().zip(space.xyz_to_rgb()) {
         matrix.add_all(name, *row, expected);
     }
+}
+
+/// One RGB space against the golden and the model's matrices.
+fn rgb_space<S: RgbSpace>(name: &str, [matrix, values, back]: &mut [Check; 3]) {
+    rgb_matrices::<S>(name, matrix);
     for row in golden("12_color_spaces").rows() {
         let color = Xyz::from(narrow(row.numbers(["X", "Y", "Z"]).map(|v| 100.0 * v)));
         let rgb = Rgb::<S>::from_xyz(color);
@@ -120,10 +125,52 @@ fn rgb_spaces_agree() {
     rgb_space::<Bt2020>("ITU-R BT.2020", &mut all);
     rgb_space::<AdobeRgb>("Adobe RGB (1998)", &mut all);
     rgb_space::<AcesCg>("ACEScg", &mut all);
-    let [matrix, values, back] = all;
-    matrix.tight(5 * 2 * 9);
-    values.tight(5 * 3 * 289);
-    back.tight(5 * 3 * 289);
+    rgb_space::<Aces2065>("ACES2065-1", &mut all);
+    rgb_space::<ProPhoto>("ProPhoto RGB", &mut all);
+    let [mut matrix, values, back] = all;
+    rgb_matrices::<DciP3>("DCI-P3", &mut matrix);
+    matrix.tight(8 * 2 * 9);
+    values.tight(7 * 3 * 289);
+    back.tight(7 * 3 * 289);
+}
+
+/// The matrices to X, Y, Z as standards print them, to all digits there.
+#[test]
+fn the_matrices_of_wide_spaces_are_the_printed_ones() {
+    let printed: [(&str, [[f32; 3]; 3], [[f64; 3]; 3], f64); 3] = [
+        (
+            "DCI-P3, SMPTE EG 432-1",
+            DciP3::TO_XYZ,
+            [
+                [0.445_169_815_6, 0.277_134_409_2, 0.172_282_669_8],
+                [0.209_491_677_9, 0.721_595_254_2, 0.068_913_067_9],
+                [0.0, 0.047_060_560_1, 0.907_355_394_4],
+            ],
+            6e-8,
+        ),
+        (
+            "ACES2065-1, SMPTE ST 2065-1",
+            Aces2065::TO_XYZ,
+            [
+                [0.952_552_395_9, 0.0, 0.000_093_678_6],
+                [0.343_966_449_8, 0.728_166_096_6, -0.072_132_546_4],
+                [0.0, 0.0, 1.008_825_184_4],
+            ],
+            6e-8,
+        ),
+        (
+            // It is made from a white with more digits, X = 0.9642, Z = 0.8249.
+            "ROMM, ISO 22028-2",
+            ProPhoto::TO_XYZ,
+            [[0.7977, 0.1352, 0.0313], [0.2880, 0.7119, 0.0001], [0.0, 0.0, 0.8249]],
+            2.1e-4,
+        ),
+    ];
+    for (name, found, printed, digits) in printed {
+        for (found, printed) in found.as_flattened().iter().zip(printed.as_flattened()) {
+            assert!((f64::from(*found) - printed).abs() < digits, "{name}: {found}, printed {printed}");
+        }
+    }
 }
 
 #[cfg(feature = "libm")]
@@ -164,7 +211,7 @@ fn surfaces_adapted_to_d65_have_their_srgb_codes() {
 }
 
 /// The luminances of the primaries as the standards print them: IEC 61966-2-1, SMPTE EG 432-1, ITU-R
-/// BT.2020-2, Adobe RGB (1998), Academy S-2014-004.
+/// BT.2020-2, Adobe RGB (1998), Academy S-2014-004, SMPTE RP 431-2, ST 2065-1.
 #[test]
 fn the_luminance_of_each_primary_is_the_published_one() {
     fn of<S: RgbSpace>() -> [f32; 3] {
@@ -177,6 +224,8 @@ fn the_luminance_of_each_primary_is_the_published_one() {
         ("BT.2020", of::<Bt2020>(), [0.2627, 0.6780, 0.0593]),
         ("Adobe RGB", of::<AdobeRgb>(), [0.29734, 0.62736, 0.07529]),
         ("ACEScg", of::<AcesCg>(), [0.272_23, 0.674_08, 0.053_69]),
+        ("DCI-P3", of::<DciP3>(), [0.2095, 0.7216, 0.0689]),
+        ("ACES2065-1", of::<Aces2065>(), [0.343_97, 0.728_17, -0.072_13]),
     ] {
         for (found, published) in found.into_iter().zip(published) {
             // They are printed to four digits, and sRGB has the matrix of rounded ones.

@@ -11,7 +11,8 @@ use model::linear::apply;
 use model::tables::{Observer, source};
 use model::tristimulus::xyz_of_surface;
 use nanospectra::color::{
-    AcesCg, Adaptation, AdobeRgb, Bradford, Bt2020, DisplayP3, Lab, Luv, Oklab, Rgb, RgbSpace, Srgb, Xyz,
+    Aces2065, AcesCg, Adaptation, AdobeRgb, Bradford, Bt2020, DciP3, DisplayP3, Lab, Luv, Oklab, ProPhoto,
+    Rgb, RgbSpace, Srgb, Xyz,
 };
 use nanospectra::math::Fast;
 use proptest::prelude::*;
@@ -50,6 +51,9 @@ fn white_has_y_100_in_every_space() {
     of::<Bt2020>();
     of::<AdobeRgb>();
     of::<AcesCg>();
+    of::<DciP3>();
+    of::<ProPhoto>();
+    of::<Aces2065>();
     let [l, a, b] = oklab_array(D65.oklab());
     assert!((l - 1.0).abs() < 1e-5 && a.abs() < 2e-4 && b.abs() < 2e-4, "{l} {a} {b}");
     let white = Oklab::new(1.0, 0.0, 0.0).xyz();
