@@ -2,8 +2,13 @@
 
 /// Returns the lines that are neither empty nor comments, with their numbers counted from 1.
 pub fn rows(text: &str) -> impl Iterator<Item = (&str, usize)> + Clone {
-    let is_row = |(line, _): &(&str, usize)| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-    text.lines().zip(1..).filter(is_row)
+    text.lines().zip(1..).filter(|(line, _)| is_row(line))
+}
+
+/// Returns whether a line is neither empty nor a comment.
+pub fn is_row(line: &str) -> bool {
+    let line = line.trim_start();
+    !line.is_empty() && !line.starts_with('#')
 }
 
 /// Checks that a line has no stray carriage return, and that its quotes are closed.

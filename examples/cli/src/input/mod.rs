@@ -4,5 +4,6 @@
 
 pub mod illuminants;
 pub mod lines;
+pub mod stream;
 pub mod table;
 pub mod text;

@@ -1,11 +1,11 @@
 //! Reads the text of a file or of standard input.
 
 use crate::failure::Failure;
+use std::fs;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
-use std::{fs, str};
 
-const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
+pub const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
 /// Returns the name that messages use for a file, and the file's text.
 ///
@@ -22,33 +22,46 @@ pub fn read(path: &Path) -> Result<(String, String), Failure> {
         fs::read(path)
     };
     let text = match read {
-        Ok(bytes) => text(&file, &bytes)?,
-        Err(error) => {
-            let what = match error.kind() {
-                ErrorKind::NotFound => "there is no such file; check the name".into(),
-                ErrorKind::PermissionDenied => "the file may not be read; check its permissions".into(),
-                other => format!("the file cannot be read ({other}); check it"),
-            };
-            return Err(Failure::of(file, what));
-        }
+        Ok(bytes) => text(&file, bytes)?,
+        Err(error) => return Err(unreadable(&file, &error)),
     };
     Ok((file, text))
 }
 
-fn text(file: &str, bytes: &[u8]) -> Result<String, Failure> {
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(Failure::at(file, 1, "the text is UTF-16; save it as UTF-8"));
+fn text(file: &str, mut bytes: Vec<u8>) -> Result<String, Failure> {
+    if let Some(failure) = wrong_start(file, &bytes) {
+        return Err(failure);
     }
-    let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-    str::from_utf8(bytes).map(str::to_owned).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
-        Failure::at(
-            file,
-            line,
-            "the file is not text in UTF-8; save it as UTF-8, or name another file if it is binary",
-        )
+    if bytes.starts_with(BYTE_ORDER_MARK) {
+        bytes.drain(..BYTE_ORDER_MARK.len());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        not_utf8(file, before.iter().filter(|byte| **byte == b'\n').count() + 1)
     })
+}
+
+/// Returns the failure of a file that cannot be read.
+pub fn unreadable(file: &str, error: &io::Error) -> Failure {
+    let what = match error.kind() {
+        ErrorKind::NotFound => "there is no such file; check the name".into(),
+        ErrorKind::PermissionDenied => "the file may not be read; check its permissions".into(),
+        other => format!("the file cannot be read ({other}); check it"),
+    };
+    Failure::of(file, what)
+}
+
+/// Returns the failure of a text whose first bytes show that it is UTF-16.
+pub fn wrong_start(file: &str, bytes: &[u8]) -> Option<Failure> {
+    let marks = [[0xff, 0xfe], [0xfe, 0xff]];
+    let is_utf16 = marks.iter().any(|mark| bytes.starts_with(mark));
+    is_utf16.then(|| Failure::at(file, 1, "the text is UTF-16; save it as UTF-8"))
+}
+
+/// Returns the failure of a file that is not text.
+pub fn not_utf8(file: &str, line: usize) -> Failure {
+    let what = "the file is not text in UTF-8; save it as UTF-8, or name another file if it is binary";
+    Failure::at(file, line, what)
 }
 
 /// Returns a failure if more than one input is standard input.

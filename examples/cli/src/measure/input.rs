@@ -9,13 +9,16 @@ use std::rc::Rc;
 /// The CIE reference spectrum L41, a measured phosphor-converted white LED, whose header names the source.
 const LAMP: &str = include_str!("../../data/l41_white_led.csv");
 
+/// The spectra of a file, each of which is made when it is its turn.
+pub type Sources = Box<dyn ExactSizeIterator<Item = Source>>;
+
 /// Returns the lamp that is measured if no file is given.
-pub fn bundled() -> Result<Vec<Source>, Failure> {
+pub fn bundled() -> Result<Sources, Failure> {
     sources("l41_white_led.csv", "l41_white_led", LAMP)
 }
 
 /// Returns all spectra of a file, or of standard input for `-`.
-pub fn read(path: &Path) -> Result<Vec<Source>, Failure> {
+pub fn read(path: &Path) -> Result<Sources, Failure> {
     let (file, text) = text::read(path)?;
     let stem = text::stem(Path::new(&file)).unwrap_or_else(|| file.clone());
     sources(&file, &stem, &text)
@@ -24,27 +27,26 @@ pub fn read(path: &Path) -> Result<Vec<Source>, Failure> {
 /// Returns the only spectrum of a file, where `option` is the option that names the file.
 pub fn read_one(path: &Path, option: &str) -> Result<Source, Failure> {
     let mut sources = read(path)?;
-    match (sources.pop(), sources.len()) {
-        (Some(only), 0) => Ok(only),
-        (_, more) => Err(Failure::of(
+    match (sources.len(), sources.next()) {
+        (1, Some(only)) => Ok(only),
+        (count, _) => Err(Failure::of(
             path.display(),
             format!(
-                "the file has {} spectra, but {option} takes one; save that one to a file of its own",
-                more + 1
+                "the file has {count} spectra, but {option} takes one; save that one to a file of its own"
             ),
         )),
     }
 }
 
-fn sources(file: &str, stem: &str, text: &str) -> Result<Vec<Source>, Failure> {
+fn sources(file: &str, stem: &str, text: &str) -> Result<Sources, Failure> {
     let table = table::parse(file, text)?;
+    let (file, stem): (Rc<str>, _) = (file.into(), stem.to_owned());
     let lines: Rc<[usize]> = table.lines.into();
     let several = table.columns.len() > 1;
-    let spectra = table.columns.into_iter().zip(1..).map(|(column, k)| Source {
-        file: file.to_owned(),
-        name: column.name.unwrap_or_else(|| if several { format!("{stem}:{k}") } else { stem.to_owned() }),
+    Ok(Box::new(table.columns.into_iter().enumerate().map(move |(k, column)| Source {
+        file: Rc::clone(&file),
+        name: column.name.unwrap_or_else(|| if several { format!("{stem}:{}", k + 1) } else { stem.clone() }),
         lines: Rc::clone(&lines),
         samples: table.wavelengths.iter().copied().zip(column.values).collect(),
-    });
-    Ok(spectra.collect())
+    })))
 }

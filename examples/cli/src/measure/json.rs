@@ -33,7 +33,7 @@ pub fn object(bench: &Bench, reading: &Reading) -> Value {
         "observer": bench.eye.name,
         "interpolation": name_of(bench.between),
         "unit": name_of(bench.unit),
-        "file": reading.file,
+        "file": &*reading.file,
     });
     if let Some(room) = &bench.room {
         object["light"] = json!(room.light.name);

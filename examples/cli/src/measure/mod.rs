@@ -29,17 +29,19 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let bench = Bench::new(args)?;
     let reference = reading::reference(&bench, args)?;
-    let mut sources = if args.files.is_empty() { input::bundled()? } else { Vec::new() };
-    for path in &args.files {
-        sources.extend(input::read(path)?);
-    }
+    let tables = if args.files.is_empty() {
+        vec![input::bundled()?]
+    } else {
+        args.files.iter().map(|path| input::read(path)).collect::<Result<Vec<_>, _>>()?
+    };
 
     // Measure all spectra before reporting any, so that an error leaves no half report behind.
-    let mut progress = Progress::of(sources.len());
-    let mut readings = Vec::with_capacity(sources.len());
-    for source in &sources {
+    let count = tables.iter().map(|table| table.len()).sum();
+    let mut progress = Progress::of(count);
+    let mut readings = Vec::with_capacity(count);
+    for source in tables.into_iter().flatten() {
         progress.step();
-        readings.push(bench.measure_and_compare(source, reference.as_ref())?);
+        readings.push(bench.measure_and_compare(&source, reference.as_ref())?);
     }
     drop(progress);
 
@@ -55,6 +57,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         }
         text::report(&bench, reading, pictures.get(k).copied(), truecolor)
     };
-    terminal::print(&readings.iter().enumerate().map(report).collect::<String>())?;
+    terminal::print_all(readings.iter().enumerate().map(report))?;
     files.keep()
 }

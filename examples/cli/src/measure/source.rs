@@ -21,7 +21,7 @@ const COARSE_NM: f64 = 20.0;
 /// A spectrum as it was read from a column of a file.
 #[derive(Debug)]
 pub struct Source {
-    pub file: String,
+    pub file: Rc<str>,
     pub name: String,
     /// The line of each sample, counted from 1.
     pub lines: Rc<[usize]>,

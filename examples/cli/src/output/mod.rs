@@ -5,9 +5,11 @@ pub(crate) mod json;
 pub(crate) mod plot;
 mod progress;
 pub(crate) mod report;
+mod spool;
 pub mod terminal;
 pub(crate) mod tint;
 
 pub(crate) use files::Files;
 pub(crate) use progress::Progress;
 pub(crate) use report::Report;
+pub(crate) use spool::Spool;

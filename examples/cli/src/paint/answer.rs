@@ -2,7 +2,6 @@
 
 use crate::failure::{Failure, short};
 use crate::input::illuminants;
-use crate::output::Progress;
 use crate::paint::args::{Args, Beyond, Method, Space};
 use crate::paint::input::Color;
 use nanospectra::color::{
@@ -18,7 +17,6 @@ use nanospectra::{
 /// What is the same for all colors of a run.
 pub struct Job<'a> {
     args: &'a Args,
-    colors: &'a [Color],
     /// The white of the RGB space.
     white: Lamp,
     /// The other lights under which spectra are shown.
@@ -61,7 +59,7 @@ pub struct Look {
 }
 
 impl<'a> Job<'a> {
-    pub fn new(args: &'a Args, colors: &'a [Color]) -> Result<Self, Failure> {
+    pub fn new(args: &'a Args) -> Result<Self, Failure> {
         let aces = daylight(6000.0).filter(|_| args.space == Space::Acescg);
         let white = match aces {
             Some(d60) => Lamp { name: "D60".into(), power: d60.fine() },
@@ -74,7 +72,7 @@ impl<'a> Job<'a> {
                 lamps.push(lamp);
             }
         }
-        Ok(Job { args, colors, white, lamps })
+        Ok(Job { args, white, lamps })
     }
 }
 
@@ -86,25 +84,23 @@ fn lamp(name: &str) -> Result<Lamp, Failure> {
     Ok(Lamp { name, power })
 }
 
-/// Answers the colors of a job on one grid, in order.
-pub fn in_space<const N: usize, G: Grid>(job: &Job) -> Result<Vec<Answer>, Failure> {
+/// Answers a color.
+pub type Paint = Box<dyn Fn(&Color) -> Result<Answer, Failure>>;
+
+/// Returns what answers the colors of a job on one grid.
+pub fn in_space<const N: usize, G: Grid + 'static>(job: &Job) -> Paint {
     match job.args.space {
-        Space::Srgb => answers::<N, G, Srgb>(job),
-        Space::P3 => answers::<N, G, DisplayP3>(job),
-        Space::Bt2020 => answers::<N, G, Bt2020>(job),
-        Space::Adobe => answers::<N, G, AdobeRgb>(job),
-        Space::Acescg => answers::<N, G, AcesCg>(job),
+        Space::Srgb => painter::<N, G, Srgb>(job),
+        Space::P3 => painter::<N, G, DisplayP3>(job),
+        Space::Bt2020 => painter::<N, G, Bt2020>(job),
+        Space::Adobe => painter::<N, G, AdobeRgb>(job),
+        Space::Acescg => painter::<N, G, AcesCg>(job),
     }
 }
 
-fn answers<const N: usize, G: Grid, S: RgbSpace>(job: &Job) -> Result<Vec<Answer>, Failure> {
+fn painter<const N: usize, G: Grid + 'static, S: RgbSpace + 'static>(job: &Job) -> Paint {
     let painter: Painter<N, G, S> = Painter::new(job);
-    let mut progress = Progress::of(job.colors.len());
-    let answer = |color| {
-        progress.step();
-        painter.answer(color)
-    };
-    job.colors.iter().map(answer).collect()
+    Box::new(move |color| painter.answer(color))
 }
 
 struct Painter<const N: usize, G, S> {

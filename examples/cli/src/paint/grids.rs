@@ -9,10 +9,10 @@ macro_rules! grids {
         pub const NAMES: &[&str] =
             &[$(concat!(stringify!($word), ":", $count, ",", $from, ",", $to)),+];
 
-        /// Answers the colors on the grid with this name, which is one of [`NAMES`].
-        pub fn answers(name: &str, job: &Job) -> Result<Vec<Answer>, Failure> {
+        /// Returns what answers colors on the grid with this name, which is one of [`NAMES`].
+        pub fn painter(name: &str, job: &Job) -> Result<Paint, Failure> {
             $(if name == concat!(stringify!($word), ":", $count, ",", $from, ",", $to) {
-                return in_space::<$count, $layout<$from, $to>>(job);
+                return Ok(in_space::<$count, $layout<$from, $to>>(job));
             })+
             Err(Failure::of("--grid", refusal()))
         }
@@ -20,7 +20,7 @@ macro_rules! grids {
 }
 
 use crate::failure::Failure;
-use crate::paint::answer::{Answer, Job, in_space};
+use crate::paint::answer::{Job, Paint, in_space};
 use nanospectra::{Bins, Nodes};
 
 grids! {

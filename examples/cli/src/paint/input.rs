@@ -24,7 +24,7 @@ pub fn colors(words: &[String]) -> Result<Vec<Color>, Failure> {
     let mut colors = Vec::new();
     for word in words {
         if word == "-" {
-            colors.extend(stdin()?);
+            stdin(&mut colors)?;
         } else {
             let place = format!("color {}", short(word));
             colors.push(color(word, place.clone()).map_err(|what| Failure::of(place, what))?);
@@ -33,9 +33,10 @@ pub fn colors(words: &[String]) -> Result<Vec<Color>, Failure> {
     Ok(colors)
 }
 
-fn stdin() -> Result<Vec<Color>, Failure> {
+/// Adds the colors of standard input.
+fn stdin(colors: &mut Vec<Color>) -> Result<(), Failure> {
     let (file, text) = text::read(Path::new("-"))?;
-    let mut colors = Vec::new();
+    let before = colors.len();
     for (line, number) in text.lines().zip(1..) {
         let at = |what: String| Failure::at(&file, number, what);
         // If lines ended with it, one comment would hide all the lines that follow.
@@ -49,14 +50,14 @@ fn stdin() -> Result<Vec<Color>, Failure> {
             colors.push(color(line, format!("{file}:{number}")).map_err(at)?);
         }
     }
-    if colors.is_empty() {
+    if colors.len() == before {
         return Err(Failure::at(
             &file,
             1,
             format_args!("there is no color in it; give one on each line, and {SO}"),
         ));
     }
-    Ok(colors)
+    Ok(())
 }
 
 /// Removes a comment. It begins with a '#' that has nothing but blanks on either side, so #cc331a is none.

@@ -23,14 +23,15 @@ pub fn write_all(
     files: &mut Files,
     directory: &Path,
     args: &Args,
-    answers: &[Answer],
+    answers: impl ExactSizeIterator<Item = Result<Answer, Failure>>,
 ) -> Result<(), Failure> {
     files.make_directory(directory)?;
     let digits = answers.len().to_string().len();
-    for (answer, number) in answers.iter().zip(1..) {
+    for (answer, number) in answers.zip(1..) {
+        let answer = answer?;
         let hex = tint::hex(answer.asked);
         let path = directory.join(format!("{number:0digits$}-{}.svg", &hex[1..]));
-        files.write(path, &page(args, answer).to_string())?;
+        files.write(path, &page(args, &answer).to_string())?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Reads a matrix to XYZ from a file, or fits one to patches in a file.
 
 use crate::failure::Failure;
-use crate::sensor::cells::{self, Table};
+use crate::sensor::cells::{Row, Table};
 use nanospectra::color::Xyz;
 use nanospectra::sensor::{BasicCounts, Calibration, Fit};
 use std::path::Path;
@@ -15,10 +15,9 @@ pub struct Found<const C: usize> {
 }
 
 pub fn read<const C: usize>(path: &Path, channels: &[String]) -> Result<Found<C>, Failure> {
-    let table = cells::read(path)?;
-    let names: Vec<&str> = channels.iter().map(String::as_str).collect();
+    let table = Table::read(path)?;
     let places: [usize; C] = table
-        .places(&names)?
+        .places(channels)?
         .try_into()
         .map_err(|_| table.wrong("the table has another number of channels; check --sensor"))?;
     match XYZ.map(|name| table.place(name)) {
@@ -35,8 +34,10 @@ fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>,
     };
     let mut rows = [[0.0; C]; 3];
     for (row, wanted) in rows.iter_mut().zip(XYZ) {
-        let mut found = table.rows.iter().filter(|row| row.cells[name].eq_ignore_ascii_case(wanted));
-        let (Some(cells), None) = (found.next(), found.next()) else {
+        let is_wanted = |row: &Row| row.cells[name].eq_ignore_ascii_case(wanted);
+        let found = table.rows()?.filter(|row| row.as_ref().is_ok_and(is_wanted));
+        let found = found.take(2).collect::<Result<Vec<Row>, Failure>>()?;
+        let [cells] = &found[..] else {
             let wanted = wanted.to_uppercase();
             return Err(table.wrong(format_args!("there is not exactly one row {wanted}; {shape}")));
         };
@@ -44,34 +45,37 @@ fn matrix<const C: usize>(table: &Table, places: [usize; C]) -> Result<Found<C>,
             *value = table.number(cells, place)? as f32;
         }
     }
-    if let Some(extra) = table.rows.iter().find(|row| !XYZ.contains(&row.cells[name].to_lowercase().as_str()))
-    {
-        return Err(table.wrong_at(extra, format_args!("this row is none of X, Y, Z; {shape}")));
+    for row in table.rows()? {
+        let row = row?;
+        if !XYZ.contains(&row.cells[name].to_lowercase().as_str()) {
+            return Err(table.wrong_at(&row, format_args!("this row is none of X, Y, Z; {shape}")));
+        }
     }
-    Ok(Found { matrix: Calibration::from_rows(rows), said: format!("matrix of {}", table.file) })
+    Ok(Found { matrix: Calibration::from_rows(rows), said: format!("matrix of {}", table.file()) })
 }
 
 /// Fits the matrix to rows of basic counts and of the XYZ that they should give.
 fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -> Result<Found<C>, Failure> {
     let mut fit = Fit::<C>::new();
     let mut all = Vec::new();
-    for row in &table.rows {
+    for row in table.rows()? {
+        let row = row?;
         let mut basic = [0.0; C];
         for (value, place) in basic.iter_mut().zip(places) {
-            *value = table.number(row, place)? as f32;
+            *value = table.number(&row, place)? as f32;
         }
         let mut target = [0.0; 3];
         for (value, place) in target.iter_mut().zip(xyz) {
-            *value = table.number(row, place)? as f32;
+            *value = table.number(&row, place)? as f32;
         }
         if target[1] <= 0.0 {
-            return Err(table.wrong_at(row, "Y is not above zero; leave out dark patches"));
+            return Err(table.wrong_at(&row, "Y is not above zero; leave out dark patches"));
         }
         let basic = BasicCounts::new(basic);
         fit.add_relative(&basic, Xyz::from(target));
         all.push((basic, target));
     }
-    let wrong = |error| Failure::of(&table.file, format_args!("no matrix can be fitted; {error}"));
+    let wrong = |error| Failure::of(table.file(), format_args!("no matrix can be fitted; {error}"));
     let matrix = fit.solve().map_err(wrong)?;
     let percent = |share: f32| 100.0 * share;
     let [x, y, z] = fit.residual_rms().map(percent);
@@ -79,7 +83,7 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
         "matrix fitted to {} patches of {}; root mean square errors relative to Y: \
          X {x:.2} % Y {y:.2} % Z {z:.2} %",
         all.len(),
-        table.file
+        table.file()
     );
     let mut sums = [0.0; 3];
     let unseen = all.iter().try_for_each(|(basic, target)| {

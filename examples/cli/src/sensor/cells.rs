@@ -1,97 +1,121 @@
-//! Reads CSV with a heading into cells that know their lines.
+//! Reads CSV with a heading, row by row, into cells that know their lines.
 //!
 //! Parsing is strict: whatever is not clearly such a table is an error.
 
 use crate::failure::{Failure, short};
-use crate::input::{lines, text};
+use crate::input::lines;
+use crate::input::stream::{Rows, Stream};
+use csv::StringRecord;
+use std::collections::HashMap;
 use std::fmt::Display;
 use std::path::Path;
+use std::rc::Rc;
 
-/// A table of texts.
+/// A table of texts, of which the heading is in memory. Its rows are read when they are asked for.
 pub struct Table {
-    /// The name of the file, for messages.
-    pub file: String,
     /// The line of the heading, counted from 1.
     pub line: usize,
     /// The names of the columns, in lower case and without blanks around them.
-    pub heading: Vec<String>,
-    pub rows: Vec<Row>,
+    pub heading: Vec<Rc<str>>,
+    places: HashMap<Rc<str>, usize>,
+    mark: char,
+    text: Stream,
 }
 
 pub struct Row {
     pub line: usize,
     /// The cells, as many as the heading has.
-    pub cells: Vec<String>,
-}
-
-/// Reads a table from a file, or from standard input for `-`.
-pub fn read(path: &Path) -> Result<Table, Failure> {
-    let (file, text) = text::read(path)?;
-    parse(&file, &text)
-}
-
-/// Parses the table in a text, where `file` is the name of the text in messages.
-pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
-    let mut rows_of_text = lines::rows(text);
-    let Some((heading, line)) = rows_of_text.next() else {
-        return Err(Failure::at(file, 1, "there is nothing in the file; give a heading and rows of numbers"));
-    };
-    let mark = [';', '\t', ','].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
-    let at = |line: usize| move |what: String| Failure::at(file, line, what);
-    let heading: Vec<String> =
-        cells(heading, mark).map_err(at(line))?.into_iter().map(|cell| cell.to_lowercase()).collect();
-    for (place, name) in heading.iter().enumerate() {
-        if name.is_empty() {
-            return Err(at(line)(format!("column {} has no name; give it one, or remove it", place + 1)));
-        }
-        if heading[..place].contains(name) {
-            return Err(at(line)(format!("two columns are called '{}'; rename or remove one", short(name))));
-        }
-    }
-    let mut rows = Vec::new();
-    for (text, line) in rows_of_text {
-        let cells = cells(text, mark).map_err(at(line))?;
-        if cells.len() != heading.len() {
-            let (found, wanted) = (cells.len(), heading.len());
-            return Err(at(line)(format!(
-                "the row has {found} cells, but the heading has {wanted}; complete or correct the row"
-            )));
-        }
-        rows.push(Row { line, cells });
-    }
-    if rows.is_empty() {
-        return Err(at(line)("there is only a heading; add rows of numbers".into()));
-    }
-    Ok(Table { file: file.to_owned(), line, heading, rows })
-}
-
-fn cells(line: &str, mark: char) -> Result<Vec<String>, String> {
-    lines::check(line)?;
-    lines::cells(line, mark)
+    pub cells: StringRecord,
 }
 
 impl Table {
+    /// Opens the table in a file, or in standard input for `-`, and checks the form of all rows.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        Table::of(Stream::open(path)?)
+    }
+
+    /// Opens the table in a text that comes with the program, where `file` is its name in messages.
+    pub fn bundled(file: &str, text: &str) -> Result<Self, Failure> {
+        Table::of(Stream::of(file, text))
+    }
+
+    fn of(text: Stream) -> Result<Self, Failure> {
+        let file = &text.file;
+        let mut rows = text.rows()?;
+        let Some((heading, line)) = rows.next()? else {
+            let what = "there is nothing in the file; give a heading and rows of numbers";
+            return Err(Failure::at(file, 1, what));
+        };
+        let at = |what: String| Failure::at(file, line, what);
+        let mark = [';', '\t', ','].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
+        let heading: Vec<Rc<str>> =
+            cells(heading, mark).map_err(at)?.iter().map(|cell| cell.to_lowercase().into()).collect();
+        let mut places = HashMap::with_capacity(heading.len());
+        for (place, name) in heading.iter().enumerate() {
+            if name.is_empty() {
+                return Err(at(format!("column {} has no name; give it one, or remove it", place + 1)));
+            }
+            if places.insert(Rc::clone(name), place).is_some() {
+                return Err(at(format!("two columns are called '{}'; rename or remove one", short(name))));
+            }
+        }
+        drop(rows);
+        let table = Table { line, heading, places, mark, text };
+        let mut count = 0;
+        for row in table.rows()? {
+            row?;
+            count += 1;
+        }
+        if count == 0 { Err(table.wrong("there is only a heading; add rows of numbers")) } else { Ok(table) }
+    }
+
+    /// The name of the file, for messages.
+    pub fn file(&self) -> &str {
+        &self.text.file
+    }
+
+    /// Reads the rows from the first one. One iterator is in use at a time.
+    pub fn rows(&self) -> Result<impl Iterator<Item = Result<Row, Failure>>, Failure> {
+        let mut rows = self.text.rows()?;
+        rows.next()?;
+        Ok(std::iter::from_fn(move || self.row(&mut rows).transpose()))
+    }
+
+    fn row(&self, rows: &mut Rows) -> Result<Option<Row>, Failure> {
+        let Some((text, line)) = rows.next()? else { return Ok(None) };
+        let at = |what: String| Failure::at(self.file(), line, what);
+        let cells = cells(text, self.mark).map_err(at)?;
+        if cells.len() != self.heading.len() {
+            let (found, wanted) = (cells.len(), self.heading.len());
+            return Err(at(format!(
+                "the row has {found} cells, but the heading has {wanted}; complete or correct the row"
+            )));
+        }
+        Ok(Some(Row { line, cells }))
+    }
+
     /// Returns a failure of the table as a whole, at its heading.
     pub fn wrong(&self, what: impl Display) -> Failure {
-        Failure::at(&self.file, self.line, what)
+        Failure::at(self.file(), self.line, what)
     }
 
     /// Returns a failure at a row.
     pub fn wrong_at(&self, row: &Row, what: impl Display) -> Failure {
-        Failure::at(&self.file, row.line, what)
+        Failure::at(self.file(), row.line, what)
     }
 
     /// Returns the place of a column, if there is one of this name.
     pub fn place(&self, name: &str) -> Option<usize> {
-        self.heading.iter().position(|column| column == name)
+        self.places.get(name).copied()
     }
 
     /// Returns the places of columns, all of which must be there.
-    pub fn places(&self, names: &[&str]) -> Result<Vec<usize>, Failure> {
-        let wanted = |name: &&str| {
-            self.place(name).ok_or_else(|| {
-                let all = names.iter().map(|name| short(name)).collect::<Vec<_>>().join(", ");
-                self.wrong(format_args!("there is no column '{}'; name the columns {all}", short(name)))
+    pub fn places<S: AsRef<str>>(&self, names: &[S]) -> Result<Vec<usize>, Failure> {
+        let wanted = |name: &S| {
+            self.place(name.as_ref()).ok_or_else(|| {
+                let all = names.iter().map(|name| short(name.as_ref())).collect::<Vec<_>>().join(", ");
+                let name = short(name.as_ref());
+                self.wrong(format_args!("there is no column '{name}'; name the columns {all}"))
             })
         };
         names.iter().map(wanted).collect()
@@ -117,4 +141,13 @@ impl Table {
             Err(_) => Err(wrong(format!("'{}', which is not a number; correct it", short(cell)))),
         }
     }
+}
+
+fn cells(line: &str, mark: char) -> Result<StringRecord, String> {
+    lines::check(line)?;
+    if line.contains('"') {
+        return Ok(lines::cells(line, mark)?.into());
+    }
+    // Without quotes every mark is a separator. (Like the crate csv, this leaves out a byte order mark.)
+    Ok(line.strip_prefix('\u{feff}').unwrap_or(line).split(mark).map(str::trim).collect())
 }

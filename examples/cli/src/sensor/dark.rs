@@ -4,16 +4,18 @@ use crate::failure::Failure;
 use crate::sensor::args::Args;
 use crate::sensor::log::{self, Entry, Log};
 use nanospectra::sensor::Exposure;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry::{Occupied, Vacant};
 
 /// The dark levels that are known from the log itself or from a file.
 pub struct Frames {
     file: String,
-    frames: Vec<Frame>,
+    /// The means of all dark readings of each exposure, or of all exposures (`None`).
+    frames: HashMap<Option<[u32; 3]>, Frame>,
 }
 
-/// The mean of all dark readings of one exposure.
+/// The sums of dark readings.
 struct Frame {
-    exposure: Option<Exposure>,
     readings: u16,
     sums: Vec<f64>,
 }
@@ -26,28 +28,43 @@ pub struct Level {
 
 impl Frames {
     pub fn read(args: &Args, log: &Log) -> Result<Self, Failure> {
-        let mut frames: Vec<Frame> = Vec::new();
+        let mut frames = HashMap::new();
         let Some(path) = &args.dark else {
-            return Ok(Frames { file: log.file.clone(), frames });
+            let frames = Frames { file: log.file().to_owned(), frames };
+            frames.check(log)?;
+            return Ok(frames);
         };
-        if log.entries.iter().any(|entry| entry.dark.is_some()) {
+        if log.has_dark() {
             return Err(Failure::of(
                 "--dark",
                 "the log has dark_ columns too; leave out the option or the columns",
             ));
         }
         let dark = log::read_dark(path, args.sensor, &log.channels)?;
-        for entry in dark.entries {
-            let same = frames.iter_mut().find(|frame| frame.exposure == entry.exposure);
-            match same {
-                Some(frame) => {
+        for entry in dark.entries()? {
+            let entry = entry?;
+            match frames.entry(entry.exposure.map(key)) {
+                Occupied(mut same) => {
+                    let frame: &mut Frame = same.get_mut();
                     frame.readings = frame.readings.saturating_add(1);
                     frame.sums.iter_mut().zip(&entry.counts).for_each(|(sum, count)| *sum += count);
                 }
-                None => frames.push(Frame { exposure: entry.exposure, readings: 1, sums: entry.counts }),
+                Vacant(new) => {
+                    new.insert(Frame { readings: 1, sums: entry.counts });
+                }
             }
         }
-        Ok(Frames { file: dark.file, frames })
+        let frames = Frames { file: dark.file().to_owned(), frames };
+        frames.check(log)?;
+        Ok(frames)
+    }
+
+    /// Returns a failure if a reading of the log has no dark level, or none that leaves room for light.
+    fn check(&self, log: &Log) -> Result<(), Failure> {
+        if self.frames.is_empty() && !log.has_dark() {
+            return Ok(());
+        }
+        log.entries()?.try_for_each(|entry| self.of(&entry?).map(|_| ()))
     }
 
     /// Returns the dark level of an entry, if one is known.
@@ -58,13 +75,18 @@ impl Frames {
         if self.frames.is_empty() {
             return Ok(None);
         }
-        let fits = |frame: &&Frame| frame.exposure.is_none() || frame.exposure == entry.exposure;
-        let Some(frame) = self.frames.iter().find(fits) else {
+        let frame = self.frames.get(&None).or_else(|| self.frames.get(&entry.exposure.map(key)));
+        let Some(frame) = frame else {
             let what = format!("no dark reading has the exposure of line {} of the log", entry.line);
             return Err(Failure::of(&self.file, what + "; add one, measured with the shutter closed"));
         };
         level(&self.file, entry, frame.sums.iter().map(|sum| sum / f64::from(frame.readings)), frame.readings)
     }
+}
+
+/// Returns what is equal for equal exposures, all of whose numbers are above zero.
+fn key(exposure: Exposure) -> [u32; 3] {
+    [exposure.gain().to_bits(), exposure.time_ms().to_bits(), exposure.full_scale()]
 }
 
 /// Returns the level, or a failure if it leaves no room for light.

@@ -1,6 +1,8 @@
 //! Writes readings and runs as JSON, one object per line, with all digits of their numbers.
 
+use crate::failure::Failure;
 use crate::output::json::{line, single};
+use crate::output::{Spool, terminal};
 use crate::sensor::Report;
 use crate::sensor::instrument::Setup;
 use crate::sensor::measure::{Color, Reading, Status};
@@ -8,15 +10,25 @@ use crate::sensor::runs::Run;
 use nanospectra::color::Cct;
 use serde_json::{Value, json};
 
-/// Returns the objects of all readings, in the order of the log, and then those of the runs.
-pub fn lines(report: &Report) -> String {
-    let readings = report.readings.iter().map(|reading| object(report, reading));
-    let runs = report.runs.iter().map(run);
-    readings.chain(runs).map(|object| line(&object)).collect()
+/// Prints the objects of all readings, in the order of the log, and then those of the runs.
+pub fn print(report: &Report) -> Result<(), Failure> {
+    terminal::stream(|out| {
+        let (mut runs, mut later) = (report.runs(), Spool::new());
+        let mut keep = |ended: Option<Run>| {
+            ended.map_or(Ok(()), |ended| later.add("stdout", line(&run(&ended)).as_bytes()))
+        };
+        for reading in report.readings()? {
+            let reading = reading?;
+            out.write(&line(&object(report, &reading)))?;
+            keep(runs.push(&reading))?;
+        }
+        keep(runs.end())?;
+        later.print(out)
+    })
 }
 
 fn object(report: &Report, reading: &Reading) -> Value {
-    let setup = &report.setup;
+    let setup = report.setup;
     let saturated = match &reading.status {
         Status::Saturated(channels) => channels.as_slice(),
         _ => &[],
@@ -101,7 +113,8 @@ pub fn place(cct: Cct) -> &'static str {
 
 /// Returns the notes on a reading, where those on all readings come first.
 fn notes(report: &Report, reading: &Reading) -> Vec<String> {
-    let own = general(&report.setup, reading).into_iter().chain(reading.notes.iter().cloned());
+    let shared = general(report.setup, reading).into_iter().chain(report.unused());
+    let own = shared.chain(reading.notes.iter().cloned());
     report.colors.iter().cloned().chain(own.map(|(key, text)| format!("{key}: {text}"))).collect()
 }
 

@@ -22,7 +22,7 @@ pub struct Reading {
     /// Lux or Y, from which flicker is computed. Dark readings have it too, but saturated ones do not.
     pub brightness: Option<f32>,
     pub next: Option<Next>,
-    /// Notes, as pairs of what they are about and their texts.
+    /// Notes on this reading alone, as pairs of what they are about and their texts.
     pub notes: Vec<(&'static str, String)>,
 }
 
@@ -94,10 +94,6 @@ pub fn reading<const C: usize>(
         Some(to_lux) => to_lux.apply(&sums)[0],
         None => instrument.to_xyz.apply(&sums)[1],
     };
-    let mut notes = Vec::new();
-    if !entry.unused.is_empty() {
-        notes.push(("log", format!("these columns are not used: {}", entry.unused.join(", "))));
-    }
     let status = match outcome {
         Ok(_) => Status::Ok,
         Err(ReadingError::Saturated { channels }) => {
@@ -114,7 +110,7 @@ pub fn reading<const C: usize>(
         color: None,
         brightness: Some(brightness).filter(|_| !matches!(outcome, Err(ReadingError::Saturated { .. }))),
         next: advice::of(setup.chip, exposure, &entry.settings, &counts),
-        notes,
+        notes: Vec::new(),
         entry,
     };
     if let Ok(basic) = outcome {

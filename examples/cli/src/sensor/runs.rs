@@ -29,41 +29,112 @@ pub struct At {
     pub shown: f32,
 }
 
-pub fn of(readings: &[Reading], frequencies_hz: &[f32]) -> Vec<Run> {
-    let timed = readings.iter().all(|reading| reading.entry.time.is_some());
-    let runs = readings.chunk_by(|a, b| a.entry.label == b.entry.label).filter(|run| timed && run.len() > 1);
-    runs.map(|run| {
-        let rate_hz = rate(run);
-        let flicker = match (&rate_hz, values(run)) {
-            (Ok(rate), Ok(values)) => frequencies_hz
-                .iter()
-                .map(|hz| at(&values, *rate, *hz, frequencies_hz, run[0].exposure))
-                .collect(),
+/// Groups readings that come one after the other. It keeps a number for each reading of the present run.
+pub struct Runs<'a> {
+    frequencies_hz: &'a [f32],
+    present: Option<Present>,
+}
+
+/// A run whose next reading may still come.
+struct Present {
+    label: Option<String>,
+    lines: (usize, usize),
+    readings: usize,
+    exposure: Exposure,
+    same_exposure: bool,
+    /// The first and the last time, as long as all are in seconds.
+    seconds: Option<(f64, f64)>,
+    /// The shortest and the longest step of time.
+    steps: (f64, f64),
+    /// The brightness of each reading, until one is saturated.
+    values: Option<Vec<f32>>,
+}
+
+impl<'a> Runs<'a> {
+    pub fn new(frequencies_hz: &'a [f32]) -> Self {
+        Runs { frequencies_hz, present: None }
+    }
+
+    /// Adds the next reading of the log. Returns the run before it, if it does not belong to that.
+    pub fn push(&mut self, reading: &Reading) -> Option<Run> {
+        // Without a column of times there are no runs.
+        let (_, seconds) = reading.entry.time.as_ref()?;
+        match &mut self.present {
+            Some(present) if present.label == reading.entry.label => {
+                present.push(reading, *seconds);
+                None
+            }
+            _ => {
+                let ended = self.end();
+                self.present = Some(Present::new(reading, *seconds));
+                ended
+            }
+        }
+    }
+
+    /// Ends the present run, and returns it if it has two or more readings.
+    pub fn end(&mut self) -> Option<Run> {
+        let present = self.present.take().filter(|present| present.readings > 1)?;
+        let rate_hz = present.rate();
+        let flicker = match (&rate_hz, present.values()) {
+            (Ok(rate), Ok(values)) => {
+                let of = |hz: &f32| at(values, *rate, *hz, self.frequencies_hz, present.exposure);
+                self.frequencies_hz.iter().map(of).collect()
+            }
             _ => Vec::new(),
         };
-        let rate_hz = rate_hz.and_then(|rate| values(run).map(|_| rate));
-        let lines = (run[0].entry.line, run[run.len() - 1].entry.line);
-        Run { label: run[0].entry.label.clone(), lines, readings: run.len(), rate_hz, flicker }
-    })
-    .collect()
-}
-
-/// Returns the readings per second, if they come at equal steps.
-fn rate(run: &[Reading]) -> Result<f32, String> {
-    let seconds = |reading: &Reading| reading.entry.time.as_ref().and_then(|(_, seconds)| *seconds);
-    let times: Option<Vec<f64>> = run.iter().map(seconds).collect();
-    let times = times.ok_or("time is not in seconds")?;
-    let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
-    let steady = times.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() <= STEADY * step);
-    if step > 0.0 && steady { Ok((1.0 / step) as f32) } else { Err("the steps of time are not equal".into()) }
-}
-
-fn values(run: &[Reading]) -> Result<Vec<f32>, String> {
-    if run.iter().any(|reading| reading.exposure != run[0].exposure) {
-        return Err("the exposure changes within the run".into());
+        let rate_hz = rate_hz.and_then(|rate| present.values().map(|_| rate));
+        Some(Run { rate_hz, flicker, label: present.label, lines: present.lines, readings: present.readings })
     }
-    let values: Option<Vec<f32>> = run.iter().map(|reading| reading.brightness).collect();
-    values.ok_or_else(|| "a reading is saturated".into())
+}
+
+impl Present {
+    fn new(reading: &Reading, seconds: Option<f64>) -> Self {
+        Present {
+            label: reading.entry.label.clone(),
+            lines: (reading.entry.line, reading.entry.line),
+            readings: 1,
+            exposure: reading.exposure,
+            same_exposure: true,
+            seconds: seconds.map(|seconds| (seconds, seconds)),
+            steps: (f64::INFINITY, f64::NEG_INFINITY),
+            values: reading.brightness.map(|value| vec![value]),
+        }
+    }
+
+    fn push(&mut self, reading: &Reading, seconds: Option<f64>) {
+        self.readings += 1;
+        self.lines.1 = reading.entry.line;
+        self.same_exposure &= reading.exposure == self.exposure;
+        if let (Some((_, before)), Some(now)) = (self.seconds, seconds) {
+            self.steps = (self.steps.0.min(now - before), self.steps.1.max(now - before));
+        }
+        self.seconds = self.seconds.zip(seconds).map(|((first, _), now)| (first, now));
+        self.values = self.values.take().zip(reading.brightness).map(|(mut values, value)| {
+            values.push(value);
+            values
+        });
+    }
+
+    /// Returns the readings per second, if they come at equal steps.
+    fn rate(&self) -> Result<f32, String> {
+        let (first, last) = self.seconds.ok_or("time is not in seconds")?;
+        let step = (last - first) / (self.readings - 1) as f64;
+        // If the shortest and the longest step are near the mean, all are.
+        let steady = [self.steps.0, self.steps.1].iter().all(|own| (own - step).abs() <= STEADY * step);
+        if step > 0.0 && steady {
+            Ok((1.0 / step) as f32)
+        } else {
+            Err("the steps of time are not equal".into())
+        }
+    }
+
+    fn values(&self) -> Result<&[f32], String> {
+        if !self.same_exposure {
+            return Err("the exposure changes within the run".into());
+        }
+        self.values.as_deref().ok_or_else(|| "a reading is saturated".into())
+    }
 }
 
 fn at(values: &[f32], rate_hz: f32, frequency_hz: f32, others_hz: &[f32], exposure: Exposure) -> At {

@@ -1,8 +1,8 @@
 //! Writes readings as a table for people.
 
-use crate::failure::shown;
+use crate::failure::{Failure, shown};
 use crate::output::plot::BLOCKS;
-use crate::output::report;
+use crate::output::{Spool, report, terminal};
 use crate::sensor::Report;
 use crate::sensor::advice::Next;
 use crate::sensor::json;
@@ -14,32 +14,98 @@ use nanospectra::color::Cct;
 const NAME: usize = 70;
 const NOTE: usize = 600;
 
-/// Returns the report, with the table, the runs and the notes.
-pub fn report(report: &Report) -> String {
-    let lux = report.readings.iter().any(|reading| reading.color.as_ref().is_some_and(|c| c.lux.is_some()));
-    let level = if lux { "lux" } else { "Y (relative)" };
+/// Prints the report, with the table, the runs and the notes. The readings are computed twice, since the
+/// widths of the columns depend on all of them.
+pub fn print(report: &Report) -> Result<(), Failure> {
+    let mut layout = Layout::default();
+    let (mut runs, mut later) = (report.runs(), Spool::new());
+    let mut keep =
+        |ended: Option<Run>| ended.map_or(Ok(()), |ended| later.add("stdout", flicker(&ended).as_bytes()));
+    for reading in report.readings()? {
+        let reading = reading?;
+        layout.add(report, &reading);
+        keep(runs.push(&reading))?;
+    }
+    keep(runs.end())?;
+    let level = if layout.lux { "lux" } else { "Y (relative)" };
     let heading = ["line", "label", "exposure", level, "x, y", "CCT", "Duv", "PPFD", "spectrum", "next"];
-    let rows: Vec<[String; 10]> = report.readings.iter().map(row).collect();
-    let mut text = format!("{}\n", report.setup.chip.title());
-    for said in &report.colors {
-        text += &format!("  {}\n", shown(said, NOTE));
+    let heading = heading.map(str::to_owned);
+    layout.widen(&heading);
+    terminal::stream(|out| {
+        out.write(&format!("{}\n", report.setup.chip.title()))?;
+        for said in &report.colors {
+            out.write(&format!("  {}\n", shown(said, NOTE)))?;
+        }
+        out.write("\n")?;
+        out.write(&layout.line(&heading))?;
+        for reading in report.readings()? {
+            out.write(&layout.line(&row(&reading?)))?;
+        }
+        later.print(out)?;
+        out.write(&layout.notes())
+    })
+}
+
+/// What the table and the notes need to know of all readings.
+#[derive(Default)]
+struct Layout {
+    lux: bool,
+    /// The largest number of characters in each column. One that is empty in every row is left out.
+    widths: [usize; 10],
+    /// Each note once, as a pair of what it is about and its text.
+    notes: Vec<(&'static str, String)>,
+    /// The first and the last wavelength of a spectrum, in nm.
+    ends_nm: Option<[f32; 2]>,
+}
+
+impl Layout {
+    fn add(&mut self, report: &Report, reading: &Reading) {
+        let color = reading.color.as_ref();
+        self.lux |= color.is_some_and(|color| color.lux.is_some());
+        for (width, cell) in self.widths.iter_mut().zip(row(reading)) {
+            *width = cell.chars().count().max(*width);
+        }
+        let is_first = self.notes.is_empty();
+        let shared = json::general(report.setup, reading).into_iter();
+        let shared = shared.chain(report.unused().filter(|_| is_first));
+        for note in shared.chain(reading.notes.iter().cloned()) {
+            if !self.notes.contains(&note) {
+                self.notes.push(note);
+            }
+        }
+        let seen = color.and_then(|color| color.spectrum.as_deref());
+        if let (None, Some([first, .., last])) = (self.ends_nm, seen) {
+            self.ends_nm = Some([first.0, last.0]);
+        }
     }
-    text += "\n";
-    let all = || std::iter::once(heading.map(str::to_owned)).chain(rows.iter().cloned());
-    // Leave out a column that is empty in every row.
-    let widths: [usize; 10] = std::array::from_fn(|k| {
-        let empty = rows.iter().all(|row| row[k].is_empty());
-        if empty { 0 } else { all().map(|row| row[k].chars().count()).max().unwrap_or(0) }
-    });
-    for row in all() {
-        let cells = row.iter().zip(widths).filter(|(_, width)| *width > 0);
+
+    /// Makes room for the heading above the columns that are not empty.
+    fn widen(&mut self, heading: &[String; 10]) {
+        for (width, title) in self.widths.iter_mut().zip(heading).filter(|(width, _)| **width > 0) {
+            *width = title.chars().count().max(*width);
+        }
+    }
+
+    fn line(&self, row: &[String; 10]) -> String {
+        let cells = row.iter().zip(self.widths).filter(|(_, width)| *width > 0);
         let line: String = cells.map(|(cell, width)| format!("{cell:<width$}  ")).collect();
-        text += &format!("{}\n", line.trim_end());
+        format!("{}\n", line.trim_end())
     }
-    for run in &report.runs {
-        text += &flicker(run);
+
+    /// Returns the notes with their heading.
+    fn notes(&self) -> String {
+        let mut notes: Vec<String> = self.notes.iter().map(|(key, text)| format!("{key}: {text}")).collect();
+        if let Some([first, last]) = self.ends_nm {
+            notes.push(format!(
+                "spectrum: {first:.0} to {last:.0} nm in bins of 10 nm, relative to the largest"
+            ));
+        }
+        if notes.is_empty() {
+            return String::new();
+        }
+        let lines: String = notes.iter().map(|note| format!("  {}\n", shown(note, NOTE))).collect();
+        format!("\nnotes\n{lines}")
     }
-    text + &notes(report)
 }
 
 fn row(reading: &Reading) -> [String; 10] {
@@ -122,32 +188,6 @@ fn flicker(run: &Run) -> String {
         };
     }
     text
-}
-
-/// Returns each note once.
-fn notes(report: &Report) -> String {
-    let mut notes: Vec<String> = Vec::new();
-    for reading in &report.readings {
-        let own = reading.notes.iter().cloned();
-        for (key, text) in json::general(&report.setup, reading).into_iter().chain(own) {
-            let note = format!("{key}: {text}");
-            if !notes.contains(&note) {
-                notes.push(note);
-            }
-        }
-    }
-    let seen = report.readings.iter().find_map(|reading| reading.color.as_ref()?.spectrum.as_ref());
-    if let Some([first, .., last]) = seen.map(Vec::as_slice) {
-        notes.push(format!(
-            "spectrum: {:.0} to {:.0} nm in bins of 10 nm, relative to the largest",
-            first.0, last.0
-        ));
-    }
-    if notes.is_empty() {
-        return String::new();
-    }
-    let lines: String = notes.iter().map(|note| format!("  {}\n", shown(note, NOTE))).collect();
-    format!("\nnotes\n{lines}")
 }
 
 fn significant(value: f32) -> String {

@@ -10,7 +10,7 @@ use crate::measure::text::NAME;
 use crate::output::Files;
 use crate::picture::spectrum::{self, Spectrum};
 use crate::picture::{self, Area, FAINT, GRID, label};
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::path::Path;
 use svg::Document;
 use svg::node::element::Group;
@@ -29,7 +29,7 @@ pub fn write_all(
     readings: &[Reading],
 ) -> Result<(), Failure> {
     files.make_directory(directory)?;
-    let mut taken = HashSet::new();
+    let mut taken = HashMap::new();
     for reading in readings {
         let path = directory.join(file_name(&reading.name, &mut taken));
         files.write(path, &page(bench, reading).to_string())?;
@@ -39,16 +39,24 @@ pub fn write_all(
 
 /// Returns a name that every file system accepts and that no earlier spectrum has, in any case of its
 /// letters.
-fn file_name(name: &str, taken: &mut HashSet<String>) -> String {
+///
+/// `taken` has these names in lower case, each with the first number that may be free behind it.
+fn file_name(name: &str, taken: &mut HashMap<String, usize>) -> String {
     let safe = name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' });
     let safe: String = safe.take(FILE_NAME).collect();
     let safe = safe.trim_matches('.');
     let safe = if safe.is_empty() { "spectrum" } else { safe };
-    let numbered = (2..).map(|k| format!("{safe}-{k}"));
-    std::iter::once(safe.to_owned())
-        .chain(numbered)
-        .find(|name| taken.insert(name.to_lowercase()))
-        .map_or_else(String::new, |name| name + ".svg")
+    let mut free = safe.to_owned();
+    if let Some(first) = taken.get(&safe.to_lowercase()) {
+        let mut number = *first;
+        while taken.contains_key(&format!("{safe}-{number}").to_lowercase()) {
+            number += 1;
+        }
+        taken.insert(safe.to_lowercase(), number + 1);
+        free = format!("{safe}-{number}");
+    }
+    taken.insert(free.to_lowercase(), 2);
+    free + ".svg"
 }
 
 fn page(bench: &Bench, reading: &Reading) -> Document {

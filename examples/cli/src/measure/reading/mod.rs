@@ -15,6 +15,7 @@ use nanospectra::color::{Lab, Rgb, Srgb, Uv1960, Uv1976, Xy, Xyz, dominant_wavel
 use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
 use std::path::Path;
+use std::rc::Rc;
 
 /// The observer, the rule and the unit with which all spectra of a run are measured.
 pub struct Bench {
@@ -35,7 +36,7 @@ pub struct Room {
 /// Every number about one spectrum, with `None` and a note that says why where one is not defined.
 #[derive(Default)]
 pub struct Reading {
-    pub file: String,
+    pub file: Rc<str>,
     pub name: String,
     /// XYZ, with Y = 100 for a relative light and for white under a light, and Y in lx for an absolute light.
     pub xyz: [f64; 3],
@@ -152,7 +153,7 @@ impl Reading {
     /// Returns a reading that holds the color and nothing else, where `xyz` may be at any scale.
     fn of(bench: &Bench, source: &Source, xyz: Xyz, white: Xy) -> Self {
         let mut reading = Reading {
-            file: source.file.clone(),
+            file: Rc::clone(&source.file),
             name: source.name.clone(),
             xyz: xyz.to_array().map(f64::from),
             xy: xyz.xy(),
