@@ -44,6 +44,7 @@ fn sources(file: &str, stem: &str, text: &str) -> Result<Vec<Source>, Failure> {
         file: file.to_owned(),
         name: column.name.unwrap_or_else(|| if several { format!("{stem}:{k}") } else { stem.to_owned() }),
         lines: Rc::clone(&lines),
+        are_averages: table.are_averages,
         samples: table.wavelengths.iter().copied().zip(column.values).collect(),
     });
     Ok(spectra.collect())

@@ -1,7 +1,7 @@
 //! The command `paint`, which finds spectra for RGB colors.
 //!
 //! [`input`] reads a word or a line as a color. [`answer`] finds its spectrum, on one of the [`grids`], and
-//! how it looks under lights. [`text`], [`json`] and [`picture`] report the answer.
+//! how it looks under lights. [`text`], [`json`], [`table`] and [`picture`] report the answer.
 
 mod answer;
 mod args;
@@ -9,6 +9,7 @@ mod grids;
 mod input;
 mod json;
 mod picture;
+mod table;
 mod text;
 
 pub use args::{Args, negative};
@@ -28,8 +29,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         picture::write_all(&mut files, directory, args, &answers)?;
     }
     let truecolor = terminal::is_colorful();
-    let report = if args.json {
-        answers.iter().map(|answer| line(&json::object(args, answer))).collect()
+    let report = if args.csv {
+        table::csv(args, &answers)
+    } else if args.json {
+        answers.iter().map(|answer| line(json::object(args, answer), json::why)).collect()
     } else if args.colors.is_empty() {
         text::chart(args, &answers, truecolor)
     } else {
