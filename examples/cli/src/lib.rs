@@ -12,7 +12,7 @@ mod input;
 mod measure;
 pub mod output;
 mod paint;
-mod picture;
+pub mod picture;
 pub mod scene;
 pub mod sensor;
 pub mod usage;

@@ -2,6 +2,7 @@
 //!
 //! Reading is strict: nothing is guessed or dropped, and what is wrong is an error.
 
+pub mod bands;
 pub mod illuminants;
 pub mod lines;
 pub mod stream;

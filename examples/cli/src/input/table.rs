@@ -2,7 +2,7 @@
 //!
 //! Parsing is strict: whatever is not clearly a table of numbers is an error.
 
-use super::{lines, text};
+use super::{bands, lines, text};
 use crate::failure::{Failure, short};
 use std::path::Path;
 
@@ -15,6 +15,8 @@ pub struct Table {
     pub wavelengths: Vec<f64>,
     /// The columns of values, of which there is at least one.
     pub columns: Vec<Column>,
+    /// Whether the values are averages over bands around the wavelengths, as the heading says.
+    pub are_averages: bool,
 }
 
 /// One column of values.
@@ -50,6 +52,9 @@ pub fn samples(path: &Path) -> Result<Vec<(f32, f32)>, Failure> {
             table.columns[0].name.as_ref().map_or(String::new(), |name| format!(" ({}, ..)", short(name)));
         return Err(Failure::of(file + &name, format_args!("the file has {count} {what}")));
     };
+    if table.are_averages {
+        return Ok(bands::steps(&table.wavelengths, &column.values));
+    }
     let values = column.values.iter();
     Ok(table.wavelengths.iter().zip(values).map(|(nm, value)| (*nm as f32, *value as f32)).collect())
 }
@@ -70,7 +75,8 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
     };
 
     let mut heading: Option<(Vec<String>, usize)> = None;
-    let mut table = Table { lines: Vec::new(), wavelengths: Vec::new(), columns: Vec::new() };
+    let mut table =
+        Table { lines: Vec::new(), wavelengths: Vec::new(), columns: Vec::new(), are_averages: false };
     for (line, number) in rows {
         let cells = separator.cells(line).map_err(at(number))?;
         if number < first_row {
@@ -80,6 +86,7 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
                 return Err(at(number)(what.into()));
             }
             check_heading(&cells).map_err(at(number))?;
+            table.are_averages = cells.first().is_some_and(|cell| cell.eq_ignore_ascii_case(bands::HEADING));
             heading = Some((cells, number));
             continue;
         }

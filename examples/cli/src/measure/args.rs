@@ -16,12 +16,15 @@ Input:
   Nothing is sorted, dropped or guessed. If something is wrong, the program ends with exit code 2
   and one line that says where it is, what it is and what to do. All input is checked before
   anything is printed, so that a report is never cut short.
+  A heading that begins with 'band_nm' and not with 'nm' says that the values are averages over bands
+  around the wavelengths, whose edges lie half way between these. 'paint --csv' prints such a table.
   Spectra without a heading are named after their file: FILE, or FILE:1, FILE:2 and so on.
   --light takes the name of a CIE illuminant first; write ./A for a file that is called A.
 
 Conventions:
   Samples are interpolated to 1 nm and summed over 360..830 nm. Outside its samples a light is
-  zero, and a reflectance has the value of the nearest end.
+  zero, and a reflectance has the value of the nearest end. Averages over bands are not interpolated:
+  the spectrum is constant within each band.
   XYZ has Y = 100 for a relative light and for a perfect white surface. With --unit absolute Y is
   in lx.
   CCT, Duv, CRI and photometry use the CIE 1931 2 degree observer, and TM-30 uses CIE 1964.

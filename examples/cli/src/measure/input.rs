@@ -47,6 +47,7 @@ fn sources(file: &str, stem: &str, text: &str) -> Result<Sources, Failure> {
         file: Rc::clone(&file),
         name: column.name.unwrap_or_else(|| if several { format!("{stem}:{}", k + 1) } else { stem.clone() }),
         lines: Rc::clone(&lines),
+        are_averages: table.are_averages,
         samples: table.wavelengths.iter().copied().zip(column.values).collect(),
     })))
 }

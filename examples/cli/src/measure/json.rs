@@ -31,7 +31,7 @@ pub fn object(bench: &Bench, reading: &Reading) -> Value {
         "notes": reading.notes.iter().map(|note| format!("{}: {}", note.key, note.text)).collect::<Vec<_>>(),
         "delta_e2000": reading.delta_e2000.map(single),
         "observer": bench.eye.name,
-        "interpolation": name_of(bench.between),
+        "interpolation": reading.rule,
         "unit": name_of(bench.unit),
         "file": &*reading.file,
     });

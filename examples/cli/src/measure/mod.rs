@@ -53,7 +53,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let truecolor = terminal::is_colorful();
     let report = |(k, reading)| {
         if args.json {
-            return line(&json::object(&bench, reading));
+            return line(json::object(&bench, reading), |_| None);
         }
         text::report(&bench, reading, pictures.get(k).copied(), truecolor)
     };

@@ -1,7 +1,11 @@
 //! Brings a measured spectrum, given by samples with their lines in a file, to the 1 nm grid.
 
 use crate::failure::{Failure, short};
+use crate::input::bands;
+use crate::measure::args::Between;
 use crate::measure::exact;
+use crate::output::number::shortest;
+use crate::usage::name_of;
 use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
 use std::rc::Rc;
@@ -27,6 +31,8 @@ pub struct Source {
     pub lines: Rc<[usize]>,
     /// The pairs (wavelength in nm, value): at least two, finite, with increasing wavelengths.
     pub samples: Vec<(f64, f64)>,
+    /// Whether the values are averages over bands around the wavelengths, and not points of a curve.
+    pub are_averages: bool,
 }
 
 /// A light on the CIE grid, where the numbers of the file are `power` times `scale`.
@@ -65,6 +71,7 @@ impl Source {
         for ((_, value), line) in self.samples.iter().zip(&*self.lines) {
             if *value > MOST_REFLECTANCE {
                 let name = short(&self.name);
+                let value = shortest(*value);
                 let what = format!(
                     "'{name}' is {value}, which is not a reflectance; give shares of 0..1, not percent or power"
                 );
@@ -88,6 +95,9 @@ impl Source {
     }
 
     fn fine<Q: Quantity>(&self, by: Interpolation, scaled: impl Fn(f64) -> f64) -> Result<Fine<Q>, Failure> {
+        if self.are_averages {
+            return Ok(self.steps(scaled));
+        }
         let samples: Vec<(f32, f32)> =
             self.samples.iter().map(|(nm, value)| (*nm as f32, scaled(*value) as f32)).collect();
         let at = |index: usize, what| Failure::at(&self.file, self.lines[index], what);
@@ -119,6 +129,27 @@ impl Source {
         Ok(fine)
     }
 
+    /// Returns averages over bands at 1 nm: each nanometer has the mean of the bands that it lies in.
+    fn steps<Q: Quantity>(&self, scaled: impl Fn(f64) -> f64) -> Fine<Q> {
+        let (wavelengths, averages): (Vec<f64>, Vec<f64>) =
+            self.samples.iter().map(|(nm, value)| (*nm, scaled(*value))).unzip();
+        let edges = bands::edges(&wavelengths);
+        let outside = match Q::OUTSIDE {
+            Outside::Zero => [0.0, 0.0],
+            Outside::Hold => [averages[0], averages[averages.len() - 1]],
+        };
+        let mut fine = Fine::flat(0.0);
+        for (value, nm) in fine.values_mut().iter_mut().zip(360..) {
+            *value = bands::mean(&edges, &averages, f64::from(nm), outside) as f32;
+        }
+        fine
+    }
+
+    /// Returns the name of the rule by which the samples become a spectrum at 1 nm.
+    pub fn rule(&self, between: Between) -> String {
+        if self.are_averages { "averages".into() } else { name_of(between) }
+    }
+
     fn ends(&self) -> (f64, f64) {
         (self.samples[0].0, self.samples[self.samples.len() - 1].0)
     }
@@ -135,6 +166,7 @@ impl Source {
             Some((unit, nm)) => format!("if the wavelengths are in {unit}, multiply them by {nm}"),
             None => "give a spectrum that reaches into this range".into(),
         };
+        let [first, last] = [first, last].map(shortest);
         Err(self
             .wrong(&format!("{first}..{last} nm is outside 360..830 nm, so nothing is visible; {advice}")))
     }
@@ -142,18 +174,23 @@ impl Source {
     /// Returns notes on how the samples were used.
     pub fn remarks<Q: Quantity>(&self, by: Interpolation) -> Vec<String> {
         let mut remarks = Vec::new();
+        if self.are_averages {
+            remarks
+                .push("the values are averages over bands, and the spectrum is constant within each".into());
+        }
         let (first, last) = self.ends();
         if first > VISIBLE_FROM || last < VISIBLE_TO {
             let fate = match Q::OUTSIDE {
                 Outside::Zero => "counts as zero",
                 Outside::Hold => "has the value of the nearest end",
             };
+            let [first, last] = [first, last].map(shortest);
             remarks.push(format!("the samples cover {first}..{last} nm; what is outside {fate}"));
         }
         let inside = self.samples.iter().filter(|(nm, _)| (FIRST..=LAST).contains(nm)).count();
         // Sprague's rule reads six samples for each nanometer, and so nearly all of them.
         let unread = self.between_nodes();
-        if unread > 0 && by == Interpolation::Linear {
+        if unread > 0 && by == Interpolation::Linear && !self.are_averages {
             remarks.push(format!(
                 "the steps are finer than 1 nm, but the sum reads whole nanometers: {unread} of {inside} samples \
                  do not count, and narrow lines between whole nanometers are missed"
@@ -168,9 +205,10 @@ impl Source {
             remarks.push(format!("{negative} negative values are used as they are"));
         }
         let widest = self.samples.windows(2).map(|pair| pair[1].0 - pair[0].0).fold(0.0, f64::max);
-        if widest > COARSE_NM {
+        if widest > COARSE_NM && !self.are_averages {
             remarks.push(format!(
-                "the steps are up to {widest} nm wide; what lies between the samples is unknown"
+                "the steps are up to {} nm wide; what lies between the samples is unknown",
+                shortest(widest)
             ));
         }
         remarks

@@ -5,7 +5,6 @@ use crate::measure::args::Unit;
 use crate::measure::facts::{self, Fact};
 use crate::measure::reading::{Bench, Note, Reading};
 use crate::output::Report;
-use crate::usage::name_of;
 use std::path::Path;
 
 const WIDTH: usize = 92;
@@ -41,8 +40,7 @@ fn title(bench: &Bench, reading: &Reading) -> String {
         (None, Unit::Relative) => "light, relative".into(),
         (None, Unit::Absolute) => "light, W/m2/nm".into(),
     };
-    let between = name_of(bench.between);
-    format!("{name}   ({file}: {kind}; {}; {between} to 1 nm)\n", bench.eye.title)
+    format!("{name}   ({file}: {kind}; {}; {} to 1 nm)\n", bench.eye.title, reading.rule)
 }
 
 fn rows(report: &mut Report, facts: &[Fact]) {

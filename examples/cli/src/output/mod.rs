@@ -1,11 +1,13 @@
 //! Prints results, as text for people and as JSON for programs, and writes files.
 
 mod files;
-pub(crate) mod json;
+pub mod json;
+pub mod number;
 pub(crate) mod plot;
 mod progress;
 pub(crate) mod report;
 mod spool;
+pub mod table;
 pub mod terminal;
 pub(crate) mod tint;
 

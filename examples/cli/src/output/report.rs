@@ -55,19 +55,3 @@ impl Report {
         self.text
     }
 }
-
-/// Formats a value with this many significant digits, without an exponent where that is readable.
-pub fn significant(value: f64, digits: usize) -> String {
-    let size = value.abs();
-    if size == 0.0 {
-        return "0".into();
-    }
-    if !size.is_finite() {
-        return value.to_string();
-    }
-    if !(1e-3..1e6).contains(&size) {
-        return format!("{value:.*e}", digits - 1);
-    }
-    let decimals = digits as i32 - 1 - size.log10().floor() as i32;
-    format!("{value:.*}", decimals.clamp(0, digits as i32 + 2) as usize)
-}

@@ -58,6 +58,17 @@ pub struct Look {
     pub srgb: [u8; 3],
 }
 
+impl Answer {
+    /// Returns whether every number is finite.
+    fn is_finite(&self) -> bool {
+        let looks =
+            self.looks.iter().flat_map(|Look { xyz, lab, .. }| [xyz.x, xyz.y, xyz.z, lab.l, lab.a, lab.b]);
+        let spectrum = self.spectrum.iter().map(|(_, share)| *share);
+        let numbers = self.rgb.into_iter().chain(self.roundtrip).chain([self.delta_e2000]).chain(self.kept);
+        numbers.chain(looks).chain(spectrum).all(f32::is_finite)
+    }
+}
+
 impl<'a> Job<'a> {
     pub fn new(args: &'a Args) -> Result<Self, Failure> {
         let aces = daylight(6000.0).filter(|_| args.space == Space::Acescg);
@@ -136,15 +147,9 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         let encoded = color.is_code || !self.linear;
         let rgb: Rgb<S> = if encoded { EncodedRgb::<S>::new(r, g, b).decode() } else { Rgb::new(r, g, b) };
         let (spectrum, status, kept) = self.spectrum(rgb);
-        // Above about 1e15 the transfer functions and the sums overflow.
-        if !spectrum.values().iter().chain(&rgb.to_array()).all(|value| value.is_finite()) {
-            let what = "the numbers are too large, and the spectrum is not finite; \
-                        give smaller numbers (0..1 for surfaces)";
-            return Err(Failure::of(&color.place, what));
-        }
         let given = |rgb: Rgb<S>| if self.linear { rgb.to_array() } else { rgb.encode().to_array() };
         let srgb: Rgb<Srgb> = Rgb::from_xyz(self.to_d65(0, self.viewing.xyz(rgb)));
-        Ok(Answer {
+        let answer = Answer {
             sample: color.sample.clone(),
             rgb: if self.linear { rgb.to_array() } else { color.numbers },
             status,
@@ -154,8 +159,15 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
             roundtrip: given(self.viewing.rgb(&spectrum)),
             delta_e2000: self.viewing.delta_e(rgb, &spectrum),
             asked: srgb.clip().rgb.encode().to_u8(),
-            looks: (0..self.eyes.len()).map(|k| self.look(k, &spectrum)).collect(),
-        })
+            looks: (0..self.eyes.len()).filter_map(|k| self.look(k, &spectrum)).collect(),
+        };
+        if answer.looks.len() == self.eyes.len() && answer.is_finite() {
+            return Ok(answer);
+        }
+        // Above about 1e15 the transfer functions, the sums and the color differences overflow.
+        let what = "the numbers are too large, so that the spectrum or its color is not finite; \
+                    give smaller numbers (0..1 for surfaces)";
+        Err(Failure::of(&color.place, what))
     }
 
     fn spectrum(&self, rgb: Rgb<S>) -> (Reflectance<N, G>, &'static str, Option<f32>) {
@@ -181,12 +193,13 @@ impl<const N: usize, G: Grid, S: RgbSpace> Painter<N, G, S> {
         }
     }
 
-    fn look(&self, k: usize, surface: &Reflectance<N, G>) -> Look {
+    /// Returns how a surface looks under a light, if that light is a white.
+    fn look(&self, k: usize, surface: &Reflectance<N, G>) -> Option<Look> {
         let (light, eye) = &self.eyes[k];
         let seen = Xyz::from(eye.sees(surface));
-        let lab = seen.lab(self.white(k)).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN));
+        let lab = seen.lab(self.white(k))?;
         let srgb = Rgb::<Srgb>::from_xyz(self.to_d65(k, seen)).clip().rgb.encode().to_u8();
-        Look { light: light.clone(), xyz: seen, lab, srgb }
+        Some(Look { light: light.clone(), xyz: seen, lab, srgb })
     }
 
     /// The color of the perfect white under a light.

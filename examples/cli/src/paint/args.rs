@@ -21,6 +21,7 @@ Input:
   Colors are answered in the order in which they were given. All of them are read and checked before
   anything is printed. If something is wrong, the program ends with exit code 2 and prints one line
   that says where.
+  The values of a spectrum are averages over its bands, and not points of a curve.
   Without a color, the program shows 24 samples of CES99 (every fourth), by the colors that they have
   in sRGB under D65.
 
@@ -78,10 +79,15 @@ pub struct Args {
     pub grid: String,
 
     /// Print one JSON object for each color, on a line of its own, with unrounded numbers. Its keys are rgb,
-    /// space, method, status, wavelengths_nm, spectrum, roundtrip_rgb, delta_e2000, linear, grid, beyond,
-    /// kept (if the color was desaturated), sample (of CES99) and lights
+    /// space, method, status, wavelengths_nm, spectrum, values_are, roundtrip_rgb, delta_e2000, linear, grid, beyond,
+    /// kept (if the color was desaturated), sample (of CES99), lights, and notes, which say why a value is null
     #[arg(long)]
     pub json: bool,
+
+    /// Print the spectra as a table, with a column for each color, which 'nanospectra measure --reflectance -' reads.
+    /// The values are averages over bands around the wavelengths, as the heading 'band_nm' says
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
 
     /// Also draw each color into the directory DIR, as NUMBER-RRGGBB.svg. DIR is made if it is missing. A run
     /// that fails leaves no file behind, and no file is overwritten without --force

@@ -1,7 +1,7 @@
 //! The command `paint`, which finds spectra for RGB colors.
 //!
 //! [`input`] reads a word or a line as a color. [`answer`] finds its spectrum, on one of the [`grids`], and
-//! how it looks under lights. [`text`], [`json`] and [`picture`] report the answer.
+//! how it looks under lights. [`text`], [`json`], [`table`] and [`picture`] report the answer.
 
 mod answer;
 mod args;
@@ -9,6 +9,7 @@ mod grids;
 mod input;
 mod json;
 mod picture;
+mod table;
 mod text;
 
 pub use args::{Args, negative};
@@ -42,12 +43,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let truecolor = terminal::is_colorful();
     let pictures = files.paths();
     terminal::stream(|out| {
+        if args.csv {
+            return out.write(&table::csv(args, answers())?);
+        }
         if !args.json && args.colors.is_empty() {
             return out.write(&text::chart(args, &answers().collect::<Result<Vec<_>, _>>()?, truecolor));
         }
         for (k, answer) in answers().enumerate() {
             out.write(&if args.json {
-                line(&json::object(args, &answer?))
+                line(json::object(args, &answer?), json::why)
             } else {
                 text::report(args, &answer?, pictures.get(k).copied(), truecolor)
             })?;

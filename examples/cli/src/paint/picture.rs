@@ -2,7 +2,7 @@
 //! it looks under the lights.
 
 use crate::failure::Failure;
-use crate::output::{Files, tint};
+use crate::output::{Files, number, tint};
 use crate::paint::answer::Answer;
 use crate::paint::args::Args;
 use crate::paint::text;
@@ -39,7 +39,7 @@ pub fn write_all(
 fn page(args: &Args, answer: &Answer) -> Document {
     let swatches = SWATCHES + SPACING * (answer.looks.len() + 1) as f32;
     let height = swatches.max(490.0);
-    let [r, g, b] = answer.rgb;
+    let numbers = answer.rgb.map(number::shortest).join(" ");
     let sample = answer.sample.as_ref().map(|name| format!("{name}: ")).unwrap_or_default();
     let subtitle = format!(
         "{}{}  ·  {} on {}  ·  {}",
@@ -49,17 +49,14 @@ fn page(args: &Args, answer: &Answer) -> Document {
         args.grid,
         text::verdict(answer),
     );
-    picture::page(height, &format!("{sample}{r} {g} {b}"), &subtitle).add(curve(answer)).add(looks(answer))
+    picture::page(height, &format!("{sample}{numbers}"), &subtitle).add(curve(answer)).add(looks(answer))
 }
 
 /// The curve through the centers of the bands. The axis holds 0..1, and more if the spectrum leaves that
 /// range.
 fn curve(answer: &Answer) -> Group {
-    let filled = &answer.spectrum;
-    let low = filled.iter().map(|(_, share)| *share).fold(0.0, f32::min);
-    let high = filled.iter().map(|(_, share)| *share).fold(1.0, f32::max);
     let area = Area { left: 80.0, top: 90.0, width: 560.0, height: 330.0 };
-    let spectrum = Spectrum { filled, low, high, ..Spectrum::default() };
+    let spectrum = Spectrum { filled: &spectrum::points(&answer.spectrum), high: 1.0, ..Spectrum::default() };
     spectrum::draw(area, ["wavelength / nm", "reflectance"], &spectrum)
 }
 

@@ -1,9 +1,11 @@
 //! Reports answers as text.
 
 use crate::output::Report;
+use crate::output::number::{self, fixed, shortest};
 use crate::paint::answer::{Answer, Look};
 use crate::paint::args::Args;
 use crate::usage::name_of;
+use nanospectra::color::Lab;
 use nanospectra::{Fine, Power};
 use std::path::Path;
 
@@ -14,15 +16,14 @@ const INDENT: usize = 14;
 pub fn report(args: &Args, answer: &Answer, picture: Option<&Path>, truecolor: bool) -> String {
     let mut report = Report::new(INDENT, truecolor);
     let numbers = if args.linear { "linear" } else { "encoded" };
-    let [r, g, b] = answer.rgb;
+    let rgb = answer.rgb.map(shortest).join(" ");
     let (space, method) = (name_of(args.space), name_of(args.method));
-    report.line(format_args!("{r} {g} {b}   ({space}, {numbers}; {method} on {})\n", args.grid));
+    report.line(format_args!("{rgb}   ({space}, {numbers}; {method} on {})\n", args.grid));
     report.plot(&(Fine::<Power>::flat(1.0) * answer.curve));
     if let Some(top) = answer.spectrum.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a }) {
-        report.row("highest", format_args!("{:.4} at {} nm", top.1, top.0));
+        report.row("highest", format_args!("{} at {} nm", fixed(top.1, 4), shortest(top.0)));
     }
-    let [r, g, b] = answer.roundtrip;
-    report.row("gives back", format_args!("{r:.5}  {g:.5}  {b:.5}"));
+    report.row("gives back", number::all(answer.roundtrip, 5, "  "));
     report.row("status", verdict(answer));
     report.row("asked for", report.swatch(answer.asked, 8));
     for look in &answer.looks {
@@ -69,16 +70,15 @@ pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
 /// The status, what was done about a color that no sigmoid has, and the color difference that is left.
 pub fn verdict(answer: &Answer) -> String {
     let how = match answer.kept {
-        Some(kept) => format!(" (desaturate: {:.1} % of the way from gray)", 100.0 * kept),
+        Some(kept) => format!(" (desaturate: {} % of the way from gray)", fixed(100.0 * kept, 1)),
         None if answer.status == "unreachable" => " (nearest)".into(),
         None => String::new(),
     };
-    format!("{}{how}, CIEDE2000 {:.5}", answer.status, answer.delta_e2000)
+    format!("{}{how}, CIEDE2000 {}", answer.status, fixed(answer.delta_e2000, 5))
 }
 
 /// The XYZ and Lab coordinates under a light.
 pub fn coordinates(look: &Look) -> String {
-    let [x, y, z] = look.xyz.to_array();
-    let lab = look.lab;
-    format!("XYZ {x:.3} {y:.3} {z:.3}  Lab {:.3} {:.3} {:.3}", lab.l, lab.a, lab.b)
+    let Lab { l, a, b } = look.lab;
+    format!("XYZ {}  Lab {}", number::all(look.xyz.to_array(), 3, " "), number::all([l, a, b], 3, " "))
 }

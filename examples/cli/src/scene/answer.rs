@@ -33,7 +33,12 @@ pub struct Answer {
     pub walked: Price,
     pub folded: Price,
     pub budget: Option<Budget>,
+    /// What is unusual about the numbers.
+    pub notes: Vec<String>,
 }
+
+/// Why a color has no Lab and is not adapted to D65.
+pub const NO_WHITE: &str = "X, Y or Z of the lamp is not above zero, so the lamp is no white";
 
 /// A color, with the lamp as white.
 #[derive(Clone, Copy)]
@@ -42,8 +47,9 @@ pub struct Look {
     pub xyz: Xyz,
     /// The chromaticity, which black does not have.
     pub xy: Option<Xy>,
-    pub lab: Lab,
-    /// The color in 8-bit sRGB, adapted to D65.
+    /// Lab, which there is only if the lamp is a white, with X, Y and Z above zero.
+    pub lab: Option<Lab>,
+    /// The color in 8-bit sRGB, adapted to D65 if the lamp is a white.
     pub srgb: [u8; 3],
     /// Whether the color is outside sRGB, so that a component was below 0 or above 1.
     pub is_clipped: bool,
@@ -76,7 +82,8 @@ pub struct Line {
     pub kind: &'static str,
     pub effect: &'static str,
     pub price: Price,
-    pub without_delta_e: f32,
+    /// The difference in CIEDE2000, which there is only if the lamp is a white.
+    pub without_delta_e: Option<f32>,
     pub without_srgb: [u8; 3],
     pub left_out: bool,
 }
@@ -101,13 +108,14 @@ impl<const N: usize, G: Grid> Viewing<N, G> {
     fn look(&self, light: &Light<N, G>) -> Look {
         let [seen, white] =
             [Xyz::from(self.eye.sees(light)), self.white].map(|xyz| xyz.scaled(100.0 / self.white.y));
-        let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ);
+        let is_white = is_white(white);
+        let adaptation = Adaptation::between::<Cat16>(white, Srgb::WHITE_XYZ).filter(|_| is_white);
         let d65 = adaptation.map_or(seen, |adaptation| adaptation.apply(seen));
         let rgb = Rgb::<Srgb>::from_xyz(d65);
         Look {
             xyz: seen,
             xy: seen.xy(),
-            lab: seen.lab(white).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN)),
+            lab: seen.lab(white).filter(|lab| [lab.l, lab.a, lab.b].iter().all(|part| part.is_finite())),
             srgb: rgb.clip().rgb.encode().to_u8(),
             // One step of an 8-bit code is 3e-4 or more.
             is_clipped: rgb.to_array().iter().any(|part| !(-1e-4..=1.0001).contains(part)),
@@ -125,6 +133,11 @@ impl<const N: usize, G: Grid> Viewing<N, G> {
         }
         scene
     }
+}
+
+/// Returns whether XYZ are those of a light to which an eye can be adapted.
+fn is_white(xyz: Xyz) -> bool {
+    xyz.to_array().iter().all(|value| *value > 0.0)
 }
 
 /// Answers a scene on the grid `G`, whose name is `grid`.
@@ -147,16 +160,30 @@ pub fn answer_on<const N: usize, G: Grid>(
     matter::check_films(recipe, &parts)?;
 
     let lit: Light<N, G> = lamp.power.resample();
-    let v: Observer<1, N, Power, G> = V_PHOTOPIC.fold(Curve::Spline);
+    // The smooth curve through the averages of a narrow lamp swings below zero beside it, and the eye may see
+    // less than nothing of that. Steps never do.
+    let seen_by = |curve: Curve| Xyz::from(eye.fold::<N, G>(curve).sees(&lit));
+    let is_narrow = !(is_white(seen_by(Curve::Spline)) && is_white(seen_by(Curve::Step)));
+    let curve = if is_narrow { Curve::Step } else { Curve::Spline };
+    let v: Observer<1, N, Power, G> = V_PHOTOPIC.fold(curve);
     let bare = Irradiance::new(lit).luminous_by(&v).value().0;
     // The lamp is scaled by its illuminance on the grid, so that the report shows what the file asks for.
     let lit = lamp.illuminance_lx.map_or(lit, |asked| lit * (asked / bare));
-    let eye: Observer<3, N, Power, G> = eye.fold(Curve::Spline);
+    let eye: Observer<3, N, Power, G> = eye.fold(curve);
     let white = Xyz::from(eye.sees(&lit));
     // (Only Y is checked, since Z of a red lamp can be 0.)
     if !(bare > 0.0 && (1e-30..=1e30).contains(&white.y)) {
         let what = format!("the lamp is dark on {grid}; give it power at the wavelengths of that grid");
         return Err(recipe.wrong(&recipe.scene.lamp, what));
+    }
+    let mut notes = Vec::new();
+    if is_narrow {
+        let what =
+            "a smooth curve through the power of so narrow a lamp has X, Y or Z that is not above zero";
+        notes.push(format!("XYZ: {what}, so the power is taken as constant within each band"));
+    }
+    if !is_white(white) {
+        notes.push(format!("lab, hex: {NO_WHITE}; there is no Lab, and the colors are not adapted to D65"));
     }
     let viewing = Viewing { white, eye, lamp: lit };
     let scene = viewing.scene(parts.iter().map(Matter::part));
@@ -180,6 +207,7 @@ pub fn answer_on<const N: usize, G: Grid>(
         bill: bill(&viewing, &parts, &scene, found.as_ref().map(|(_, found)| &found.scene)),
         walked: scene.price().plus(Price::light(N)).plus(reading),
         folded: scene.folded_price(3).plus(Price::light(N)),
+        notes,
         budget: found.map(|(delta_e, found)| Budget {
             delta_e,
             cost_delta_e: found.delta_e,
@@ -209,7 +237,8 @@ fn bill<const N: usize, G: Grid>(
                 kind: part.kind,
                 effect: part.effect,
                 price: line.price,
-                without_delta_e: scene.difference(&without, &viewing.eye, &viewing.lamp),
+                without_delta_e: Some(scene.difference(&without, &viewing.eye, &viewing.lamp))
+                    .filter(|delta_e| delta_e.is_finite()),
                 without_srgb: viewing.look(&without.leaving_polarized(&viewing.lamp)).srgb,
                 left_out: found.is_some_and(|found| found.left_out().any(|out| out == k)),
             }

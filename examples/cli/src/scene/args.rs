@@ -14,6 +14,10 @@ Report:
   The color is that of the light behind the last part, with the lamp as white: XYZ (Y = 100 for the
   bare lamp), xy, Lab and an sRGB code, adapted to D65 by CAT16. The code is followed by \"clipped\"
   if the color is outside sRGB. White is a perfect white surface under the bare lamp.
+  The light of a lamp is a smooth curve with the averages of the bands. If the lamp is so narrow that X,
+  Y or Z of this curve is not above zero, the light is constant within each band. If X, Y or Z is still
+  not above zero, as with deep red light, the lamp is no white: there is no Lab, and the color is not
+  adapted.
   With illuminance_lx in [lamp], the report also has absolute numbers, over the wavelengths of the
   grid: the illuminance and irradiance in front of the first part and the exitance behind the last.
   Behind a matt (Lambertian) part there are luminance and radiance too. Surfaces are matt, and so are
@@ -32,9 +36,9 @@ Report:
   The color difference it reports is that of everything left out together.
 
 JSON keys:
-  scene, title, lamp, eye, grid, wavelengths_nm; lamp_spectrum and leaving_spectrum (in the unit of
-  the lamp, or in W/m2/nm with illuminance_lx); XYZ, xy (null if black), lab, hex, hex_is_clipped,
-  lamp_hex, luminous_factor_percent.
+  scene, title, lamp, eye, grid, wavelengths_nm; lamp_spectrum and leaving_spectrum (averages over
+  the bands, in the unit of the lamp, or in W/m2/nm with illuminance_lx); XYZ, xy (null if black), lab (null if the lamp is no
+  white), hex, hex_is_clipped, lamp_hex, luminous_factor_percent.
   absolute: illuminance_lx, irradiance_w_m2, exitance_lm_m2, exitance_w_m2, luminance_cd_m2 and
   radiance_w_m2_sr. It is null without illuminance_lx; the last two are null behind what is not
   matt.
@@ -46,7 +50,8 @@ JSON keys:
   walked and folded: multiply_adds and bytes, with the lamp and the three channels of the eye; walked
   takes light through one part after the other, folded through one matrix for all of them.
   budget: delta_e2000 (which was allowed), left_out (the numbers of parts, from 0), cost_delta_e2000,
-  hex and multiply_adds. It is null without --budget.";
+  hex and multiply_adds. It is null without --budget.
+  notes: why values are null, and what is unusual about the numbers.";
 
 /// Follow light through a scene, to its color, its power and the cost of each effect
 #[derive(Debug, clap::Args)]

@@ -2,13 +2,28 @@
 
 use crate::output::json::{numbers, single};
 use crate::output::tint;
-use crate::scene::answer::{Absolute, Answer, Budget, Line, Sensor};
+use crate::scene::answer::{Absolute, Answer, Budget, Line, NO_WHITE, Sensor};
 use nanospectra::path::Price;
 use serde_json::{Value, json};
 
+/// Returns why a key of the object is null.
+pub fn why(path: &str) -> Option<&'static str> {
+    Some(match path {
+        "xy" => "black has no chromaticity",
+        "lab" | "bill.without_delta_e2000" => NO_WHITE,
+        "absolute" => "the lamp has no illuminance_lx",
+        "absolute.luminance_cd_m2" | "absolute.radiance_w_m2_sr" => {
+            "the light leaves something that is not matt"
+        }
+        "sensor" => "the scene names no sensor",
+        "sensor.of_lamp" => "the channel gets nothing from the bare lamp",
+        "budget" => "no --budget is given",
+        _ => return None,
+    })
+}
+
 /// The object for a scene, with its keys in the order that `--help` lists them.
 pub fn object(answer: &Answer) -> Value {
-    let lab = answer.look.lab;
     json!({
         "scene": answer.name,
         "title": answer.title,
@@ -20,7 +35,7 @@ pub fn object(answer: &Answer) -> Value {
         "leaving_spectrum": numbers(answer.leaving.iter().map(|(_, power)| *power)),
         "XYZ": numbers(answer.look.xyz.to_array()),
         "xy": answer.look.xy.map(|xy| numbers([xy.x, xy.y])),
-        "lab": numbers([lab.l, lab.a, lab.b]),
+        "lab": answer.look.lab.map(|lab| numbers([lab.l, lab.a, lab.b])),
         "hex": tint::hex(answer.look.srgb),
         "hex_is_clipped": answer.look.is_clipped,
         "lamp_hex": tint::hex(answer.lamp_srgb),
@@ -31,6 +46,7 @@ pub fn object(answer: &Answer) -> Value {
         "walked": price(answer.walked),
         "folded": price(answer.folded),
         "budget": answer.budget.as_ref().map(budget),
+        "notes": answer.notes,
     })
 }
 
@@ -62,7 +78,7 @@ fn line((part, line): (usize, &Line)) -> Value {
         "effect": line.effect,
         "multiply_adds": line.price.multiply_adds,
         "bytes": line.price.bytes,
-        "without_delta_e2000": single(line.without_delta_e),
+        "without_delta_e2000": line.without_delta_e.map(single),
         "left_out": line.left_out,
     })
 }

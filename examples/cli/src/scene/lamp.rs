@@ -2,6 +2,7 @@
 
 use crate::failure::{Failure, short};
 use crate::input::{illuminants, table, text};
+use crate::output::number;
 use crate::scene::file::{self, Recipe};
 use nanospectra::radiometry::illuminance;
 use nanospectra::{Fine, Interpolation, Power, light};
@@ -55,7 +56,8 @@ pub fn of(recipe: &Recipe) -> Result<Lamp, Failure> {
     // (A lamp may have any unit, since everything is compared with the lamp itself.)
     if !(1e-20..=1e20).contains(&lux) {
         return Err(wrong(format!(
-            "the numbers of the lamp are out of range, since they make {lux:e} lx; give them in another unit"
+            "the numbers of the lamp are out of range, since they make {} lx; give them in another unit",
+            number::significant(lux, 3)
         )));
     }
     if let Some(asked) = lamp.illuminance_lx

@@ -36,7 +36,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         picture::write(&mut files, path, &answer)?;
     }
     terminal::print(&if args.json {
-        line(&json::object(&answer))
+        line(json::object(&answer), json::why)
     } else {
         text::report(&answer, files.paths().pop(), terminal::is_colorful())
     })?;

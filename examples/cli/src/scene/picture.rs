@@ -59,16 +59,16 @@ fn notes(answer: &Answer) -> Vec<Vec<String>> {
             notes.push([vec![format!("{}, {title}", sensor.name)], cells].concat());
         }
     }
+    notes.extend(answer.notes.iter().map(|note| vec![note.clone()]));
     notes
 }
 
 /// The light behind the last part, filled with the colors of the wavelengths, and that of the lamp as a line.
 fn spectra(answer: &Answer) -> Group {
-    let all = answer.lit.iter().chain(&answer.leaving);
-    let high = all.map(|(_, power)| *power).fold(f32::MIN_POSITIVE, f32::max);
+    let [lit, leaving] = [&answer.lit, &answer.leaving].map(|light| spectrum::points(light));
     let power = if answer.absolute.is_some() { "W/(m2 nm)" } else { "relative power" };
     let area = Area { left: 90.0, top: 90.0, width: 560.0, height: 330.0 };
-    let spectrum = Spectrum { filled: &answer.leaving, dashed: &answer.lit, low: 0.0, high };
+    let spectrum = Spectrum { filled: &leaving, dashed: &lit, high: 0.0 };
     spectrum::draw(area, ["wavelength / nm   (dashed: the lamp)", power], &spectrum)
 }
 
@@ -101,14 +101,14 @@ fn bill(answer: &Answer) -> Group {
     let heads = ["part", "effect", "multiply-adds", "bytes", "without it", "with, without"];
     let mut group = row(0, heads.map(String::from), FAINT);
     for (k, line) in answer.bill.iter().enumerate() {
-        let Line { name, effect, price, without_delta_e, .. } = line;
+        let Line { name, effect, price, .. } = line;
         let fate = if line.left_out { ", left out" } else { "" };
         let cells = [
             text::short_name(name),
             (*effect).into(),
             price.multiply_adds.to_string(),
             price.bytes.to_string(),
-            format!("{without_delta_e:.2} CIEDE2000{fate}"),
+            text::difference(line) + fate,
             String::new(),
         ];
         let top = BILL + SPACING * (k + 1) as f32 - 15.0;

@@ -2,7 +2,9 @@
 
 use crate::failure::shown;
 use crate::output::Report;
-use crate::scene::answer::{Absolute, Answer, Budget, Look, Sensor};
+use crate::output::number::{self, at_least_four, fixed, shortest};
+use crate::scene::answer::{Absolute, Answer, Budget, Line, Look, Sensor};
+use nanospectra::color::Lab;
 use nanospectra::path::Price;
 use nanospectra::{Fine, Interpolation, Light, Power};
 use std::path::Path;
@@ -33,6 +35,9 @@ pub fn report(answer: &Answer, picture: Option<&Path>, truecolor: bool) -> Strin
         }
     }
     bill(&mut report, answer);
+    for note in &answer.notes {
+        report.line(format_args!("\n  {note}"));
+    }
     if let Some(path) = picture {
         report.path("picture", path);
     }
@@ -44,9 +49,9 @@ fn bill(report: &mut Report, answer: &Answer) {
     report.line(format_args!("\n  {part:<24}{effect:<14}{work:>14}{bytes:>8}  without it"));
     for line in &answer.bill {
         let (name, fate) = (short_name(&line.name), if line.left_out { "  left out" } else { "" });
-        let (effect, cost) = (line.effect, line.without_delta_e);
+        let (effect, cost) = (line.effect, difference(line));
         let (work, bytes) = (line.price.multiply_adds, line.price.bytes);
-        report.line(format_args!("  {name:<24}{effect:<14}{work:>14}{bytes:>8}  {cost:.2} CIEDE2000{fate}"));
+        report.line(format_args!("  {name:<24}{effect:<14}{work:>14}{bytes:>8}  {cost}{fate}"));
     }
     for (what, price) in totals(answer) {
         report.line(format_args!("  {what:<38}{:>14}{:>8}", price.multiply_adds, price.bytes));
@@ -54,6 +59,12 @@ fn bill(report: &mut Report, answer: &Answer) {
     if let Some(budget) = &answer.budget {
         report.line(format_args!("\n  {}; {}", verdict(budget), report.swatch(budget.srgb, 8)));
     }
+}
+
+/// The color difference that a scene has without a part.
+pub fn difference(line: &Line) -> String {
+    line.without_delta_e
+        .map_or("no color difference".into(), |delta_e| format!("{} CIEDE2000", fixed(delta_e, 2)))
 }
 
 /// The prices of the whole scene: part by part (`walked`), and as one matrix (`folded`).
@@ -68,27 +79,26 @@ pub fn short_name(name: &str) -> String {
 
 /// The rows for XYZ, xy, Lab and the luminous factor.
 pub fn coordinates(look: &Look) -> Vec<(&'static str, String)> {
-    let [x, y, z] = look.xyz.to_array();
-    let xy = look.xy.map_or("none, black".into(), |xy| format!("{:.4} {:.4}", xy.x, xy.y));
-    let lab = look.lab;
+    let xy = look.xy.map_or("none, black".into(), |xy| number::all([xy.x, xy.y], 4, " "));
+    let lab = |lab: Lab| number::all([lab.l, lab.a, lab.b].map(tidy), 2, " ");
     vec![
-        ("XYZ", format!("{x:.3} {y:.3} {z:.3}  (lamp: Y = 100)")),
+        ("XYZ", number::all(look.xyz.to_array(), 3, " ") + "  (lamp: Y = 100)"),
         ("xy", xy),
-        ("Lab", [lab.l, lab.a, lab.b].map(|value| format!("{:.2}", tidy(value))).join(" ")),
-        ("luminous factor", format!("{y:.2} %")),
+        ("Lab", look.lab.map_or("none, the lamp is no white".into(), lab)),
+        ("luminous factor", fixed(look.xyz.y, 2) + " %"),
     ]
 }
 
 /// The rows of a sensor: the peaks of its channels, their values relative to the bare lamp and, if the lamp
 /// has an illuminance, in W/m2.
 pub fn channels(sensor: &Sensor, is_absolute: bool) -> Vec<(&'static str, Vec<String>)> {
-    let share = |share: &Option<f32>| share.map_or("none".into(), |share| format!("{:.2}%", 100.0 * share));
+    let share = |share: &Option<f32>| share.map_or("none".into(), |share| fixed(100.0 * share, 2) + "%");
     let mut rows = vec![
-        ("nm", sensor.peaks_nm.iter().map(f32::to_string).collect()),
+        ("nm", sensor.peaks_nm.iter().copied().map(shortest).collect()),
         ("of the lamp", sensor.of_lamp.iter().map(share).collect()),
     ];
     if is_absolute {
-        rows.push(("W/m2", sensor.channels.iter().map(|value| digits(*value)).collect()));
+        rows.push(("W/m2", sensor.channels.iter().map(|value| at_least_four(*value)).collect()));
     }
     rows
 }
@@ -100,27 +110,27 @@ pub fn clipped(look: &Look) -> &'static str {
 
 /// The result of `--budget`, without the color.
 pub fn verdict(budget: &Budget) -> String {
-    let within = format!("within {} CIEDE2000: ", budget.delta_e);
+    let within = format!("within {} CIEDE2000: ", shortest(budget.delta_e));
     let effects = match budget.left_out.len() {
         0 => return within + "nothing can be left out",
         1 => "1 effect".into(),
         count => format!("{count} effects"),
     };
-    let Budget { cost_delta_e, multiply_adds, .. } = budget;
-    format!("{within}{effects} left out, {cost_delta_e:.3} CIEDE2000 in all, {multiply_adds} multiply-adds")
+    let (cost, work) = (fixed(budget.cost_delta_e, 3), budget.multiply_adds);
+    format!("{within}{effects} left out, {cost} CIEDE2000 in all, {work} multiply-adds")
 }
 
 /// The rows of photometric and radiometric numbers, with units.
 pub fn levels(absolute: &Absolute) -> Vec<(&'static str, String)> {
     let Absolute { illuminance_lx, irradiance_w_m2, exitance_lm_m2, exitance_w_m2, .. } = *absolute;
-    let [lx, falling] = [illuminance_lx, irradiance_w_m2].map(digits);
-    let [lm, leaving] = [exitance_lm_m2, exitance_w_m2].map(digits);
+    let [lx, falling] = [illuminance_lx, irradiance_w_m2].map(at_least_four);
+    let [lm, leaving] = [exitance_lm_m2, exitance_w_m2].map(at_least_four);
     let mut levels = vec![
         ("arrives", format!("{lx} lx, {falling} W/m2")),
         ("leaves", format!("{lm} lm/m2, {leaving} W/m2")),
     ];
     if let Some([luminance, radiance]) = absolute.radiance {
-        let [luminance, radiance] = [luminance, radiance].map(digits);
+        let [luminance, radiance] = [luminance, radiance].map(at_least_four);
         levels.push(("looks (Lambert)", format!("{luminance} cd/m2, {radiance} W/(m2 sr)")));
     }
     levels
@@ -129,18 +139,6 @@ pub fn levels(absolute: &Absolute) -> Vec<(&'static str, String)> {
 /// Removes the minus sign from a number that would be printed as -0.00.
 fn tidy(value: f32) -> f32 {
     if value.abs() < 0.005 { 0.0 } else { value }
-}
-
-/// Writes a number with at least four digits, and with an exponent only if it is tiny.
-fn digits(value: f32) -> String {
-    let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 9.0);
-    if value == 0.0 {
-        "0".into()
-    } else if decimals < 9.0 {
-        format!("{value:.*}", decimals as usize)
-    } else {
-        format!("{value:.3e}")
-    }
 }
 
 /// The spectrum on the 1 nm grid for plots, with straight lines from band to band.

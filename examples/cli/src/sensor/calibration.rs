@@ -1,9 +1,10 @@
 //! Reads a matrix to XYZ from a file, or fits one to patches in a file.
 
 use crate::failure::Failure;
+use crate::output::number::fixed;
 use crate::sensor::cells::{Row, Table};
 use nanospectra::color::Xyz;
-use nanospectra::sensor::{BasicCounts, Calibration, Fit};
+use nanospectra::sensor::{BasicCounts, Calibration, Fit, FitError};
 use std::path::Path;
 
 const XYZ: [&str; 3] = ["x", "y", "z"];
@@ -75,13 +76,13 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
         fit.add_relative(&basic, Xyz::from(target));
         all.push((basic, target));
     }
-    let wrong = |error| Failure::of(table.file(), format_args!("no matrix can be fitted; {error}"));
+    let wrong = |error| Failure::of(table.file(), format_args!("no matrix can be fitted; {}", reason(error)));
     let matrix = fit.solve().map_err(wrong)?;
     let percent = |share: f32| 100.0 * share;
-    let [x, y, z] = fit.residual_rms().map(percent);
+    let [x, y, z] = fit.residual_rms().map(|share| fixed(percent(share), 2));
     let mut said = format!(
         "matrix fitted to {} patches of {}; root mean square errors relative to Y: \
-         X {x:.2} % Y {y:.2} % Z {z:.2} %",
+         X {x} % Y {y} % Z {z} %",
         all.len(),
         table.file()
     );
@@ -91,15 +92,23 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
         for (sum, error) in sums.iter_mut().zip(errors) {
             *sum += (error / target[1]).powi(2);
         }
-        Ok::<_, nanospectra::sensor::FitError>(())
+        Ok::<_, FitError>(())
     });
     said += &match unseen {
         Ok(()) => {
-            let [x, y, z] = sums.map(|sum: f32| percent((sum / all.len() as f32).sqrt()));
-            format!("; on patches that were left out of the fit: X {x:.2} % Y {y:.2} % Z {z:.2} %")
+            let [x, y, z] = sums.map(|sum: f32| fixed(percent((sum / all.len() as f32).sqrt()), 2));
+            format!("; on patches that were left out of the fit: X {x} % Y {y} % Z {z} %")
         }
-        Err(error) => format!("; the error on patches that are left out is unknown: {error}"),
+        Err(error) => format!("; the error on patches that are left out is unknown: {}", reason(error)),
     };
-    said += &format!("; condition number {:.0}", fit.condition().map_err(wrong)?);
+    said += &format!("; condition number {}", fixed(fit.condition().map_err(wrong)?, 0));
     Ok(Found { matrix, said })
+}
+
+/// Returns why a fit failed, with the condition number unless it is infinite.
+pub fn reason(error: FitError) -> String {
+    match error {
+        FitError::IllConditioned { condition } if !condition.is_finite() => error.message().into(),
+        other => other.to_string(),
+    }
 }

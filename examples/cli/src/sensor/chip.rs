@@ -1,5 +1,6 @@
 //! Defines the value of `--sensor`, which is a chip of the library or one that the log describes.
 
+use crate::output::number::shortest;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 use nanospectra::sensor::Exposure;
@@ -83,7 +84,7 @@ impl Chip {
     /// Formats the chip's settings with their names.
     pub fn describe(self, values: &[f64]) -> String {
         let named = self.settings().into_iter().zip(values);
-        named.map(|(name, value)| format!("{name} {}", *value as f32)).collect::<Vec<_>>().join(" ")
+        named.map(|(name, value)| format!("{name} {}", shortest(*value as f32))).collect::<Vec<_>>().join(" ")
     }
 
     /// Returns the weights of the channels by the data sheet, if that is enough to compute them.

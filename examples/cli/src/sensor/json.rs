@@ -1,7 +1,7 @@
 //! Writes readings and runs as JSON, one object per line, with all digits of their numbers.
 
 use crate::failure::Failure;
-use crate::output::json::{line, single};
+use crate::output::json::{explain, line, single};
 use crate::output::{Spool, terminal};
 use crate::sensor::Report;
 use crate::sensor::instrument::Setup;
@@ -15,11 +15,11 @@ pub fn print(report: &Report) -> Result<(), Failure> {
     terminal::stream(|out| {
         let (mut runs, mut later) = (report.runs(), Spool::new());
         let mut keep = |ended: Option<Run>| {
-            ended.map_or(Ok(()), |ended| later.add("stdout", line(&run(&ended)).as_bytes()))
+            ended.map_or(Ok(()), |ended| later.add("stdout", line(run(&ended), why).as_bytes()))
         };
         for reading in report.readings()? {
             let reading = reading?;
-            out.write(&line(&object(report, &reading)))?;
+            out.write(&line(object(report, &reading), why))?;
             keep(runs.push(&reading))?;
         }
         keep(runs.end())?;
@@ -66,8 +66,42 @@ fn object(report: &Report, reading: &Reading) -> Value {
             "same": next.same,
         })
     });
-    object["notes"] = notes(report, reading).into();
+    let shared = general(setup, reading).into_iter().chain(report.unused());
+    let own = shared.chain(reading.notes.iter().cloned());
+    object["notes"] = own.map(|(key, text)| format!("{key}: {text}")).collect();
+    let status = match reading.status {
+        Status::Ok => None,
+        Status::Saturated(_) => Some("a channel is saturated"),
+        Status::TooDark => Some("the reading is too dark"),
+        Status::Negative => Some("X, Y or Z is negative"),
+    };
+    explain(&mut object, |path| why(path).or(status).or(unknown(path)));
+    // How the colors are computed is not about this reading, so it explains no null.
+    if let Value::Array(notes) = &mut object["notes"] {
+        notes.splice(0..0, report.colors.iter().cloned().map(Value::from));
+    }
     object
+}
+
+/// Returns why a key of an object is null, if that is not the same for all keys.
+fn why(path: &str) -> Option<&'static str> {
+    Some(match path {
+        "time" | "label" | "temperature_c" => "the log has no such column",
+        "exposure.shows_100_hz" | "exposure.shows_120_hz" => "the time of a reading is not known",
+        "next" => "the exposures to choose from are not known",
+        "flicker.confused_with_hz" => "the run is long enough to tell it from the others",
+        _ => return None,
+    })
+}
+
+/// Returns why a reading that can be used lacks a number.
+fn unknown(path: &str) -> Option<&'static str> {
+    Some(match path {
+        "lux" | "uncertainty.lux" | "ppfd" => "the lux of this reading is not known",
+        "cct_k" | "duv" => "there is none for this color; the key cct says where the color lies",
+        "wavelengths_nm" | "spectrum" => "the responsivities of the channels are not known",
+        _ => return None,
+    })
 }
 
 fn color(color: &Color) -> Value {
@@ -111,13 +145,6 @@ pub fn place(cct: Cct) -> &'static str {
     }
 }
 
-/// Returns the notes on a reading, where those on all readings come first.
-fn notes(report: &Report, reading: &Reading) -> Vec<String> {
-    let shared = general(report.setup, reading).into_iter().chain(report.unused());
-    let own = shared.chain(reading.notes.iter().cloned());
-    report.colors.iter().cloned().chain(own.map(|(key, text)| format!("{key}: {text}"))).collect()
-}
-
 /// Returns the notes that apply to every reading with this setup.
 pub fn general(setup: &Setup, reading: &Reading) -> Vec<(&'static str, String)> {
     let mut notes = Vec::new();
@@ -131,13 +158,26 @@ pub fn general(setup: &Setup, reading: &Reading) -> Vec<(&'static str, String)> 
             "it includes only the rounding to whole counts; give --electrons-per-count and --read-counts";
         notes.push(("uncertainty", what.to_owned()));
     }
+    let Color { xyz_uncertainty, cct_uncertainty, .. } = color;
+    let of_cct = cct_uncertainty.map(|of| [of.cct_k, of.mired, of.duv]);
+    let mut numbers = xyz_uncertainty
+        .to_array()
+        .into_iter()
+        .chain(color.lux_uncertainty)
+        .chain(of_cct.into_iter().flatten());
+    if numbers.any(|number| !number.is_finite()) {
+        notes.push((
+            "uncertainty",
+            "what is unknown of it follows from numbers that are too large".to_owned(),
+        ));
+    }
     notes
 }
 
 fn run(run: &Run) -> Value {
     let flicker = |at: &crate::sensor::runs::At| {
         let found = at.found.as_ref().ok();
-        json!({
+        let object = json!({
             "frequency_hz": single(at.frequency_hz),
             "mean": found.map(|(flicker, _)| single(flicker.mean)),
             "percent": found.map(|(flicker, _)| single(flicker.percent)),
@@ -145,18 +185,26 @@ fn run(run: &Run) -> Value {
             "amplitude": found.map(|(_, amplitude)| single(*amplitude)),
             "confused_with_hz": at.confused_with_hz.map(single),
             "shown_by_readings": single(at.shown),
-            "note": at.found.as_ref().err(),
-        })
+        });
+        with_note(object, at.found.as_ref().err())
     };
-    json!({
+    let object = json!({
         "kind": "run",
         "label": run.label,
         "lines": [run.lines.0, run.lines.1],
         "readings": run.readings,
         "rate_hz": run.rate_hz.as_ref().ok().map(|rate| single(*rate)),
-        "note": run.rate_hz.as_ref().err(),
         "flicker": run.flicker.iter().map(flicker).collect::<Value>(),
-    })
+    });
+    with_note(object, run.rate_hz.as_ref().err())
+}
+
+/// Returns an object with a note, if there is one, which says why its numbers are missing.
+fn with_note(mut object: Value, note: Option<&String>) -> Value {
+    if let Some(note) = note {
+        object["note"] = json!(note);
+    }
+    object
 }
 
 /// Returns the share of a flicker that the reading still shows, if the chip's settings tell its time.

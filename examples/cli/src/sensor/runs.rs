@@ -1,5 +1,6 @@
 //! Groups readings in a row into runs, and computes how much the light flickers in each.
 
+use crate::output::number::shortest;
 use crate::sensor::measure::Reading;
 use nanospectra::sensor::{Exposure, Flicker, amplitude_at};
 
@@ -122,10 +123,14 @@ impl Present {
         let step = (last - first) / (self.readings - 1) as f64;
         // If the shortest and the longest step are near the mean, all are.
         let steady = [self.steps.0, self.steps.1].iter().all(|own| (own - step).abs() <= STEADY * step);
-        if step > 0.0 && steady {
-            Ok((1.0 / step) as f32)
+        if !(step > 0.0 && steady) {
+            return Err("the steps of time are not equal".into());
+        }
+        let rate_hz = (1.0 / step) as f32;
+        if rate_hz.is_normal() {
+            Ok(rate_hz)
         } else {
-            Err("the steps of time are not equal".into())
+            Err("the steps of time are too short or too long".into())
         }
     }
 
@@ -141,10 +146,15 @@ fn at(values: &[f32], rate_hz: f32, frequency_hz: f32, others_hz: &[f32], exposu
     let seconds = values.len() as f32 / rate_hz;
     let near = |other: &&f32| **other != frequency_hz && (**other - frequency_hz).abs() * seconds < 1.0;
     let found = if rate_hz < 2.0 * frequency_hz {
-        Err(format!("needs {} or more readings a second", 2.0 * frequency_hz))
+        Err(format!("needs {} or more readings a second", shortest(2.0 * frequency_hz)))
     } else {
         match (Flicker::of(values, rate_hz, frequency_hz), amplitude_at(values, rate_hz, frequency_hz)) {
-            (Some(flicker), Some(amplitude)) => Ok((flicker, amplitude / flicker.mean)),
+            (Some(flicker), Some(amplitude)) => {
+                let amplitude = amplitude / flicker.mean;
+                let numbers = [flicker.mean, flicker.percent, flicker.index, amplitude];
+                let is_finite = numbers.iter().all(|number| number.is_finite());
+                is_finite.then_some((flicker, amplitude)).ok_or("the numbers are too large".into())
+            }
             _ => Err("needs a whole period, and light".into()),
         }
     };

@@ -3,6 +3,7 @@
 //! It uses whole numbers, sums and square roots only, so that the log is the same on every machine, byte for
 //! byte.
 
+use crate::output::number::{fixed, shortest};
 use nanospectra::radiometry::illuminance;
 use nanospectra::sensor::{AutoExposure, Exposure, Noise, chip::as7341, gaussian_responsivities};
 use nanospectra::{Fine, Nodes, Observer, Power, light};
@@ -146,10 +147,10 @@ impl Log {
     }
 
     fn write(&mut self, label: &str, exposure: &Exposure, atime: u8, astep: u16, counts: &[u16; 8]) {
+        let (seconds, gain) = (fixed(self.seconds, 7), shortest(exposure.gain()));
         let cells = counts.map(|count| count.to_string()).join(",");
         // Writing to a String cannot fail.
-        let _ =
-            writeln!(self.text, "{:.7},{label},{},{atime},{astep},{cells}", self.seconds, exposure.gain());
+        let _ = writeln!(self.text, "{seconds},{label},{gain},{atime},{astep},{cells}");
     }
 }
 

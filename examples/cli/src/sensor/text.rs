@@ -1,8 +1,9 @@
 //! Writes readings as a table for people.
 
 use crate::failure::{Failure, shown};
+use crate::output::number::{self, fixed, shortest, signed};
 use crate::output::plot::BLOCKS;
-use crate::output::{Spool, report, terminal};
+use crate::output::{Spool, terminal};
 use crate::sensor::Report;
 use crate::sensor::advice::Next;
 use crate::sensor::json;
@@ -97,7 +98,9 @@ impl Layout {
         let mut notes: Vec<String> = self.notes.iter().map(|(key, text)| format!("{key}: {text}")).collect();
         if let Some([first, last]) = self.ends_nm {
             notes.push(format!(
-                "spectrum: {first:.0} to {last:.0} nm in bins of 10 nm, relative to the largest"
+                "spectrum: {} to {} nm in bins of 10 nm, relative to the largest",
+                fixed(first, 0),
+                fixed(last, 0)
             ));
         }
         if notes.is_empty() {
@@ -137,22 +140,31 @@ fn fill(row: &mut [String; 10], color: &Color) {
         (Some(lux), Some(uncertainty)) => (lux, uncertainty),
         _ => (color.xyz.y, color.xyz_uncertainty.y),
     };
-    row[3] = format!("{} ±{:.2}%", significant(y), 100.0 * uncertainty / y);
-    row[4] = color.xy.map_or_else(String::new, |p| format!("{:.4} {:.4}", p.x, p.y));
+    row[3] = significant(y) + &within(100.0 * uncertainty / y, 2, "%");
+    row[4] = color.xy.map_or_else(String::new, |p| number::all([p.x, p.y], 4, " "));
     match (color.cct, color.cct_uncertainty) {
         (Some(Cct::Near { cct_k, duv }), Some(of)) => {
-            row[5] = format!("{cct_k:.0} ±{:.0} K", of.cct_k.ceil());
-            row[6] = format!("{duv:+.4} ±{:.4}", of.duv);
+            row[5] = fixed(cct_k, 0) + &within(of.cct_k.ceil(), 0, " K");
+            row[6] = signed(duv, 4) + &within(of.duv, 4, "");
         }
         (Some(Cct::Near { cct_k, duv }), None) => {
-            row[5] = format!("{cct_k:.0} K");
-            row[6] = format!("{duv:+.4}");
+            row[5] = fixed(cct_k, 0) + " K";
+            row[6] = signed(duv, 4);
         }
         (Some(other), _) => row[5] = json::place(other).into(),
         (None, _) => {}
     }
     row[7] = color.ppfd.map_or_else(String::new, significant);
     row[8] = color.spectrum.as_ref().map_or_else(String::new, |bins| curve(bins));
+}
+
+/// Returns an uncertainty behind its number, or that it is unknown.
+fn within(uncertainty: f32, decimals: usize, unit: &str) -> String {
+    if uncertainty.is_finite() {
+        format!(" ±{}{unit}", fixed(uncertainty, decimals))
+    } else {
+        format!("{unit} ±unknown")
+    }
 }
 
 /// Draws a spectrum with block characters, where negative values are empty.
@@ -166,30 +178,31 @@ fn flicker(run: &Run) -> String {
     let (from, to) = run.lines;
     let mut text = format!("\n{name}: {} readings, lines {from}..{to}", run.readings);
     match &run.rate_hz {
-        Ok(rate) => text += &format!(", {rate:.1} per second\n"),
+        Ok(rate) => text += &format!(", {} per second\n", fixed(*rate, 1)),
         Err(why) => text += &format!("; the flicker is unknown: {why}\n"),
     }
     for at in &run.flicker {
         text += &match &at.found {
             Ok((flicker, amplitude)) => format!(
-                "  {} Hz: mean {}, percent flicker {:.1} %, flicker index {:.3}, amplitude {:.3} of the mean \
-                 (readings show {:.1} % of it{})\n",
-                at.frequency_hz,
+                "  {} Hz: mean {}, percent flicker {} %, flicker index {}, amplitude {} of the mean \
+                 (readings show {} % of it{})\n",
+                shortest(at.frequency_hz),
                 significant(flicker.mean),
-                flicker.percent,
-                flicker.index,
-                amplitude,
-                100.0 * at.shown,
+                fixed(flicker.percent, 1),
+                fixed(flicker.index, 3),
+                fixed(*amplitude, 3),
+                fixed(100.0 * at.shown, 1),
                 at.confused_with_hz.map_or(String::new(), |hz| format!(
-                    "; the run is too short to distinguish it from {hz} Hz"
+                    "; the run is too short to distinguish it from {} Hz",
+                    shortest(hz)
                 ))
             ),
-            Err(why) => format!("  {} Hz: {why}\n", at.frequency_hz),
+            Err(why) => format!("  {} Hz: {why}\n", shortest(at.frequency_hz)),
         };
     }
     text
 }
 
 fn significant(value: f32) -> String {
-    report::significant(value.into(), 5)
+    number::significant(value, 5)
 }

@@ -1,10 +1,15 @@
 //! The program as a user runs it: what each command reads, answers and refuses.
 
+mod axis;
+mod bands;
 mod ends;
+mod extremes;
 mod files;
+mod fuzz;
 mod measure;
 mod measure_refuses;
 mod names;
+mod numbers;
 mod paint;
 mod paint_refuses;
 mod program;

@@ -47,7 +47,8 @@ fn of(scene: &str) -> Vec<Vec<Cell>> {
         (60, answers::<60, Bins<380, 730>>(scene)),
         (81, answers::<81, Bins<380, 730>>(scene)),
     ];
-    let lab = |answer: &Answer| [answer.look.lab.l, answer.look.lab.a, answer.look.lab.b].map(f64::from);
+    // Every lamp of the study is a white.
+    let lab = |answer: &Answer| answer.look.lab.map_or([f64::NAN; 3], |lab| [lab.l, lab.a, lab.b].map(f64::from));
     let differences = coarse.each_ref().map(|(_, answers)| -> Vec<f64> {
         answers.iter().zip(&exact).map(|(one, other)| de2000(lab(other), lab(one))).collect()
     });

@@ -50,7 +50,7 @@ fn of(scene: &str) -> Vec<Vec<Cell>> {
     let Some(first) = answers.first().filter(|_| answers.len() == LAMPS.len()) else { return Vec::new() };
     let parts = first.bill.iter().enumerate().map(|(k, line)| {
         let lines = answers.iter().filter_map(|answer| answer.bill.get(k));
-        let differences: Vec<f64> = lines.map(|line| line.without_delta_e.into()).collect();
+        let differences: Vec<f64> = lines.filter_map(|line| line.without_delta_e).map(f64::from).collect();
         let word = PATHS.iter().find(|(effect, _)| *effect == line.effect).map_or("", |(_, word)| word);
         let mut row = vec![Cell::key(scene), Cell::key(&line.name), Cell::key(line.effect)];
         row.extend(range(&differences));

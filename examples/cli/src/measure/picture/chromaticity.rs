@@ -1,7 +1,7 @@
 //! Draws the chromaticity diagram of the observer, with the spectrum locus, the black bodies and the reading.
 
 use crate::measure::reading::{Bench, Reading};
-use crate::output::tint;
+use crate::output::{number, tint};
 use crate::picture::axis::{Axis, Frame};
 use crate::picture::spectrum::{gradient, stop};
 use crate::picture::{Area, FAINT, INK, label};
@@ -26,8 +26,7 @@ const PURPLES: usize = 40;
 
 pub fn draw(area: Area, bench: &Bench, reading: &Reading) -> Group {
     let eye = bench.eye.functions;
-    let frame =
-        Frame { area, x: Axis { from: 0.0, to: 0.8, step: 0.2 }, y: Axis { from: 0.0, to: 0.9, step: 0.2 } };
+    let frame = Frame { area, x: Axis::between(0.0, 0.8, 0.2), y: Axis::between(0.0, 0.9, 0.2) };
     let locus: Vec<Xy> = (FIRST..=LAST).filter_map(|nm| spectral(eye, nm)).collect();
     let mut group = Group::new()
         .add(frame.draw("x", "y"))
@@ -59,7 +58,8 @@ fn colors(frame: &Frame, locus: &[Xy]) -> Group {
     for (k, pair) in edge.windows(2).enumerate() {
         let id = format!("wedge{k}");
         let corners = [WHITE, pair[0], pair[1]].map(|xy| frame.place(xy.x, xy.y));
-        let corners = corners.map(|(x, y)| format!("{x:.2},{y:.2}")).join(" ");
+        let corners =
+            corners.map(|(x, y)| format!("{},{}", number::fixed(x, 2), number::fixed(y, 2))).join(" ");
         definitions = definitions.add(ray(frame, &id, between(pair[0], pair[1], 0.5)));
         let paint = format!("url(#{id})");
         // The stroke closes the hair lines that antialiasing leaves between wedges.

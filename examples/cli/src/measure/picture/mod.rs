@@ -73,20 +73,16 @@ fn page(bench: &Bench, reading: &Reading) -> Document {
 
 fn curve(bench: &Bench, reading: &Reading) -> Group {
     let (values, title) = ordinates(bench, reading);
-    let shown: Vec<(f32, f32)> =
-        (FIRST..=LAST).map(|nm| nm as f32).zip(values[FIRST - 360..=LAST - 360].iter().copied()).collect();
-    let low = shown.iter().map(|point| point.1).fold(0.0, f32::min);
-    let high = shown.iter().map(|point| point.1).fold(0.0, f32::max);
-    let (low, high) = if low < high { (low, high) } else { (0.0, 1.0) };
+    let shown: Vec<(f64, f64)> =
+        (FIRST..=LAST).map(|nm| nm as f64).zip(values[FIRST - 360..=LAST - 360].iter().copied()).collect();
     let area = Area { left: 80.0, top: 90.0, width: 560.0, height: 330.0 };
-    let spectrum = Spectrum { filled: &shown, low, high, ..Spectrum::default() };
+    let spectrum = Spectrum { filled: &shown, ..Spectrum::default() };
     spectrum::draw(area, ["wavelength / nm", title], &spectrum)
 }
 
 /// Returns the numbers to draw, and the title of their axis.
-fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f32>, &'static str) {
-    let times =
-        |k: f64| reading.curve().values().iter().map(|value| (f64::from(*value) * k) as f32).collect();
+fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f64>, &'static str) {
+    let times = |k: f64| reading.curve().values().iter().map(|value| f64::from(*value) * k).collect();
     match (&bench.room, bench.unit) {
         (Some(_), _) => (times(1.0), "reflectance"),
         (None, Unit::Absolute) => (times(reading.scale()), "W / m² / nm"),

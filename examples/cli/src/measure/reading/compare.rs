@@ -29,10 +29,18 @@ pub fn compare(bench: &Bench, this: &Reading, reference: &Reading) -> (Compariso
     differences.push(("y_ratio", y_ratio));
     differences.push(("spectral_rms", spectral_rms(this, reference, bench.room.is_none())));
 
+    let is_finite = |difference: &Difference| match difference {
+        Difference::One(value) => value.is_finite(),
+        Difference::Each(values) => values.iter().all(|value| value.is_finite()),
+    };
+    for (_, value) in &mut differences {
+        value.take_if(|difference| !is_finite(difference));
+    }
+
     let note = |key: &str, text: &str| Note { key: format!("compare.{key}"), text: text.to_owned() };
     let missing = differences.iter().filter(|(_, value)| value.is_none());
     let mut notes: Vec<Note> =
-        missing.map(|(key, _)| note(key, "it is not defined for one of the two spectra")).collect();
+        missing.map(|(key, _)| note(key, "it is not defined for these two spectra")).collect();
     if bench.room.is_none() && bench.unit == Unit::Relative {
         notes.push(note(
             "y_ratio",

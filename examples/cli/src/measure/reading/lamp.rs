@@ -4,6 +4,7 @@ use super::{Bench, Reading};
 use crate::failure::Failure;
 use crate::measure::args::Unit;
 use crate::measure::source::{Lamp, Source};
+use crate::output::number;
 use nanospectra::color::{Cct, Rgb, Xy, Xyz, cri, tm30};
 use nanospectra::observer::{CIE_1931, KM};
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
@@ -70,7 +71,7 @@ fn rendering(reading: &mut Reading, power: &Fine<Power>) {
             reading.cri_r = Some(cri.r);
             if cri.dc > MAX_DC {
                 let what = "from its reference in uv, where CIE 13.3 allows 0.0054, so that Ra means little";
-                reading.note("cri_ra", format!("the light is {:.4} {what}", cri.dc));
+                reading.note("cri_ra", format!("the light is {} {what}", number::fixed(cri.dc, 4)));
             }
         }
         Err(error) => reading.missing(&["cri_ra", "cri_r"], &error.to_string()),

@@ -63,6 +63,8 @@ pub struct Reading {
     /// The difference to the spectrum that `--compare` names.
     pub compare: Option<Comparison>,
     pub notes: Vec<Note>,
+    /// The name of the rule by which the samples became a spectrum at 1 nm.
+    pub rule: String,
     curve: Option<Fine<Power>>,
     /// Y of `curve`.
     curve_y: f64,
@@ -99,6 +101,7 @@ impl Bench {
             Some(room) => surface::measure(self, room, source),
             None => lamp::measure(self, source),
         }?;
+        reading.leave_out_what_is_not_finite();
         reading.explain_the_rest();
         if reading.xyz.iter().any(|value| !value.is_finite()) {
             return Err(source.wrong("its sums are too large for any number; check the values and the unit"));
@@ -155,6 +158,7 @@ impl Reading {
         let mut reading = Reading {
             file: Rc::clone(&source.file),
             name: source.name.clone(),
+            rule: source.rule(bench.between),
             xyz: xyz.to_array().map(f64::from),
             xy: xyz.xy(),
             uv1960: xyz.uv1960(),
@@ -185,6 +189,37 @@ impl Reading {
         self.hex = Some(format!("#{r:02x}{g:02x}{b:02x}"));
         // Rounding may leave a white slightly outside the gamut, which needs no note.
         color.to_array().iter().zip(clipped.to_array()).all(|(a, b)| (a - b).abs() <= 1e-5)
+    }
+
+    /// Leaves out each number whose formula ended in NaN or an infinity, with a note.
+    fn leave_out_what_is_not_finite(&mut self) {
+        let mut lost = Vec::new();
+        let all = |values: &[f32]| values.iter().all(|value| value.is_finite());
+        let mut is_lost = |key: &'static str, is_finite: bool| {
+            lost.extend((!is_finite).then_some(key));
+            !is_finite
+        };
+        self.xy.take_if(|p| is_lost("xy", all(&[p.x, p.y])));
+        self.uv1960.take_if(|p| is_lost("uv1960", all(&[p.u, p.v])));
+        self.uv1976.take_if(|p| is_lost("uv1976", all(&[p.u, p.v])));
+        self.cct_k.take_if(|value| is_lost("cct_k", value.is_finite()));
+        self.duv.take_if(|value| is_lost("duv", value.is_finite()));
+        self.lux.take_if(|value| is_lost("lux", value.is_finite()));
+        self.ppfd.take_if(|value| is_lost("ppfd", value.is_finite()));
+        self.ler_lm_per_w.take_if(|value| is_lost("ler_lm_per_w", value.is_finite()));
+        self.lab.take_if(|lab| is_lost("lab", all(&[lab.l, lab.a, lab.b])));
+        self.delta_e2000.take_if(|value| is_lost("delta_e2000", value.is_finite()));
+        if self.srgb.take_if(|rgb| is_lost("srgb", all(rgb))).is_some() {
+            self.hex = None;
+        }
+        self.dominant_wavelength_nm.take_if(|value| is_lost("dominant_wavelength_nm", value.is_finite()));
+        self.purity.take_if(|value| is_lost("purity", value.is_finite()));
+        self.cri_ra.take_if(|value| is_lost("cri_ra", value.is_finite()));
+        self.cri_r.take_if(|values| is_lost("cri_r", all(values)));
+        self.tm30_rf.take_if(|value| is_lost("tm30_rf", value.is_finite()));
+        self.tm30_rg.take_if(|value| is_lost("tm30_rg", value.is_finite()));
+        self.melanopic_edi_ratio.take_if(|value| is_lost("melanopic_edi_ratio", value.is_finite()));
+        self.missing(&lost, "it is too large for a number, or follows from one that is");
     }
 
     /// Adds a note for each number that is missing without one, because the values are too extreme for its
