@@ -161,7 +161,7 @@ who_can_panic() {
 }
 for profile in release small; do
     for image in no_panic no_panic_constants; do
-        for target in $m4f $m0; do
+        for target in $boards; do
             no_panic $target $profile $image no-panic
         done
     done
