@@ -95,6 +95,15 @@
 // The guides use the default feature.
 #![cfg_attr(not(feature = "libm"), allow(rustdoc::broken_intra_doc_links))]
 
+// The x87 computes with more digits than f32 has, and where it drops them is up to the compiler.
+#[cfg(all(target_arch = "x86", not(any(target_feature = "sse2", target_os = "uefi", nanospectra_x87))))]
+compile_error!(
+    "this target computes on the x87, where the last digits of results differ from those of every other \
+     target, and no error bound of nanospectra was tested. Build for a target with SSE2, as i686-unknown-linux-gnu, \
+     or with RUSTFLAGS=\"-Ctarget-feature=+sse2\". If results may differ, say so by \
+     RUSTFLAGS=\"--cfg nanospectra_x87\"."
+);
+
 mod grid;
 
 mod price;

@@ -138,6 +138,8 @@ const SAMPLES: &[(&str, &str, &str, &str)] = &[
 
 fn main() {
     println!("cargo::rerun-if-changed=tables");
+    // With this, `src/lib.rs` builds for a processor whose results differ.
+    println!("cargo::rustc-check-cfg=cfg(nanospectra_x87)");
     if let Err(message) = generate() {
         // This is one line in cargo's output, and it fails the build. An error code would add four lines to
         // it.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests on emulated devices what the documentation promises. QEMU stands for the boards, and node for a browser:
-#   bits           every target prints the same hashes as the host, with and without the feature `simd`
+#   bits           every target prints the same hashes as the host, with and without the feature `simd`; so do
+#                  programs for aarch64 and for s390x, which is big-endian
 #   meaning        one test file passes on the host and on every board, the log of an instrument is complete, and a
 #                  published driver reads a simulated chip
 #   instructions   public calls take as many as on record in tests/data/instructions.txt, within 2 % in both directions
@@ -30,6 +31,7 @@ m0=thumbv6m-none-eabi
 rv32=riscv32imac-unknown-none-elf
 wasm=wasm32-unknown-unknown
 boards="$m4f $m33 $m0 $rv32"
+others="aarch64-unknown-linux-gnu s390x-unknown-linux-gnu"
 golden_bits=$root/tests/data/bits.txt
 golden_costs=$root/tests/data/instructions.txt
 

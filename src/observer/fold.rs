@@ -178,13 +178,15 @@ impl<const M: usize> Moments<M> {
             return if M == 2 { self.line() } else { weights };
         }
         const_for!(0..M, |k| {
-            let (middle, shift) = if k == 0 {
-                (1, -1.0)
-            } else if k == M - 1 {
-                (M - 2, 1.0)
+            // (Written as limits, from which the compiler sees that all three bins exist: no panic is left.)
+            let middle = if k < 1 {
+                1
+            } else if k > M - 2 {
+                M - 2
             } else {
-                (k, 0.0)
+                k
             };
+            let shift = k as f64 - middle as f64;
             // The moments about the middle bin's center, where t = (place in this bin) + shift.
             let first = self.first[k] + shift * self.mass[k];
             let second = self.second[k] + 2.0 * shift * self.first[k] + shift * shift * self.mass[k];
@@ -223,12 +225,12 @@ impl<const M: usize> Moments<M> {
             pivot[i] -= factor;
             g[i] -= factor * g[i - 1];
         });
-        let mut i = M;
-        while i > 1 {
-            i -= 1;
-            let next = if i + 1 < M { g[i + 1] } else { 0.0 };
-            g[i] = (g[i] - next) / pivot[i];
-        }
+        let mut above = 0.0;
+        const_for!(1..M, |k| {
+            let i = M - k;
+            above = (g[i] - above) / pivot[i];
+            g[i] = above;
+        });
         let mut weights = self.mass;
         const_for!(1..M, |i| {
             weights[i] += 6.0 * g[i];

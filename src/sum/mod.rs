@@ -5,24 +5,25 @@
 //! left to the compiler or to the width of its vectors. For the same reason multiplication and addition are
 //! rounded separately (there is no fused multiply-add).
 //!
-//! There are five ways to do the same additions: `scalar` for processors without vectors, `x86` with the
-//! vectors of x86-64, `vector` on other targets with the crate `wide`, and without that crate `wasm` for
-//! WebAssembly and `lanes` where the compiler vectorizes.
+//! There are five ways to do the same additions: `scalar` for processors without vectors and for programs of
+//! x86-64 that must not use them, as those for UEFI; `x86` with the vectors of x86-64; `vector` on other
+//! targets with the crate `wide`; and without that crate `wasm` for WebAssembly and `lanes` where the
+//! compiler vectorizes.
 
 #[cfg(not(any(feature = "simd", target_arch = "x86_64", target_arch = "wasm32", target_os = "none")))]
 mod lanes;
-#[cfg(target_os = "none")]
+#[cfg(any(target_os = "none", all(target_arch = "x86_64", not(target_feature = "sse2"))))]
 mod scalar;
 #[cfg(all(feature = "simd", not(target_arch = "x86_64"), not(target_os = "none")))]
 mod vector;
 #[cfg(all(not(feature = "simd"), target_arch = "wasm32", not(target_os = "none")))]
 mod wasm;
-#[cfg(all(target_arch = "x86_64", not(target_os = "none")))]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(target_os = "none")))]
 mod x86;
 
 #[cfg(not(any(feature = "simd", target_arch = "x86_64", target_arch = "wasm32", target_os = "none")))]
 pub(crate) use lanes::rows;
-#[cfg(target_os = "none")]
+#[cfg(any(target_os = "none", all(target_arch = "x86_64", not(target_feature = "sse2"))))]
 pub(crate) use scalar::rows;
 #[cfg(all(feature = "simd", not(target_arch = "x86_64"), not(target_os = "none")))]
 pub(crate) use vector::rows;
@@ -30,7 +31,7 @@ pub(crate) use vector::rows;
 pub(crate) use wasm::rows;
 #[cfg(all(target_arch = "x86_64", target_feature = "avx", not(target_os = "none")))]
 pub(crate) use x86::each;
-#[cfg(all(target_arch = "x86_64", not(target_os = "none")))]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(target_os = "none")))]
 pub(crate) use x86::rows;
 
 /// Sums for every spectrum of a batch, one by one. As many are read as the shorter of the two slices has.

@@ -52,9 +52,9 @@ pub struct Basis<const N: usize, G = Bins<380, 730>, S = Srgb> {
 }
 
 impl<const N: usize, G: Grid, S: RgbSpace> Basis<N, G, S> {
-    /// Computes the three spectra for the observer, light, grid and RGB space of `viewing`; for `const` use.
+    /// Computes the three spectra for the observer, light, grid and RGB space of `viewing`.
     ///
-    /// See the [example](#example).
+    /// It computes in f64 and is meant for constants. See the [example](#example).
     #[must_use]
     pub const fn new(viewing: &Viewing<N, G, S>) -> Self {
         let spectra = spectra::<N, G>();

@@ -40,7 +40,7 @@ const D65: [f64; 2] = [0.3127, 0.3290];
 
 impl<const N: usize, G: Grid> Display<N, G> {
     /// Makes a display from the measured spectra of red, green and blue at full drive, for the observer that
-    /// colors are matched for; for `const` use.
+    /// colors are matched for. Like all that make a display, it computes in f64 and is meant for constants.
     ///
     /// Its colors have the units of the spectra and the observer: spectra in W/sr/m2/nm and an observer
     /// scaled by [`KM`](crate::observer::KM) give cd/m2.
@@ -55,7 +55,7 @@ impl<const N: usize, G: Grid> Display<N, G> {
     /// Makes a display whose primaries are scaled so that RGB (1, 1, 1) has the chromaticity `white_xy` and
     /// Y = 100.
     ///
-    /// It is otherwise made as by [`new`](Self::new). The y of the white must not be 0. If the primaries
+    /// It is otherwise made as by [`new`](Self::new), and in f64. The y of the white must not be 0. If the primaries
     /// cannot make the white, one of them is scaled by a negative factor.
     #[must_use]
     pub const fn balanced(
@@ -85,7 +85,7 @@ impl<const N: usize, G: Grid> Display<N, G> {
     /// Makes a nominal LED wall, whose white has the chromaticity of D65 and Y = 100.
     ///
     /// The primaries are bells (1 + d^2 / w^2)^-4 about 630, 525 and 465 nm with half widths of 9, 16 and 11
-    /// nm. See the [example](#example).
+    /// nm. They are computed in f64, for `const` use. See the [example](#example).
     #[must_use]
     pub const fn led(eye: &Observer<3, N, Power, G>) -> Self {
         let red = bell::<Power, N, G>(630.0, 9.0);
@@ -98,7 +98,7 @@ impl<const N: usize, G: Grid> Display<N, G> {
     ///
     /// Its light is the CIE's white LED B4 (5100 K) behind three filters. These are bells as of
     /// [`led`](Self::led) about 640, 535 and 455 nm with half widths of 45, 38 and 32 nm, and 1 % of light
-    /// leaks through. See the [example](#example).
+    /// leaks through. It is computed in f64, for `const` use. See the [example](#example).
     #[must_use]
     pub const fn lcd(eye: &Observer<3, N, Power, G>) -> Self {
         let lamp: Spectrum<Power, N, G> = LED_B4_1NM.interpolate(Interpolation::Linear);

@@ -46,7 +46,7 @@ pub struct CohenR<const N: usize, Q = Factor, G = Bins<380, 730>> {
 }
 
 impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
-    /// Computes the matrix R of this observer; for `const` use. See the [example](#example).
+    /// Computes the matrix R of this observer, in f64; for `const` use. See the [example](#example).
     ///
     /// The three rows of the observer have to be independent, which takes three bands at least; otherwise the
     /// result has no meaning.

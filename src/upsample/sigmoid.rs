@@ -69,7 +69,7 @@ const LANES: usize = 8;
 const LANES: usize = 4;
 
 impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
-    /// Prepares the method for the observer, light, grid and RGB space of `viewing`; for `const` use.
+    /// Prepares the method for the observer, light, grid and RGB space of `viewing`, in f64; for `const` use.
     ///
     /// ```
     /// use nanospectra::color::{DisplayP3, Rgb};

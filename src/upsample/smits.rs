@@ -46,7 +46,7 @@ pub struct Smits<const N: usize, G = Bins<380, 730>> {
 pub type SmitsBins = Smits<10, Bins<380, 720>>;
 
 impl<const N: usize, G: Grid> Smits<N, G> {
-    /// Computes the seven curves on a grid as averages of the paper's ten steps; for `const` use.
+    /// Computes the seven curves on a grid as averages of the paper's ten steps, in f64; for `const` use.
     ///
     /// Beyond the paper's range the outer steps are continued. See the [example](#example).
     #[must_use]

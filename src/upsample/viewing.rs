@@ -44,9 +44,9 @@ pub struct Viewing<const N: usize, G = Bins<380, 730>, S = Srgb> {
 }
 
 impl<const N: usize, G: Grid, S: RgbSpace> Viewing<N, G, S> {
-    /// Makes it from an XYZ observer that has the light folded in, at any scale; for `const` use.
+    /// Makes it from an XYZ observer that has the light folded in, at any scale.
     ///
-    /// See the [example](#example).
+    /// It computes in f64 and is meant for constants. See the [example](#example).
     #[must_use]
     pub const fn new(eye: &Observer<3, N, Factor, G>) -> Self {
         let eye = eye.with_white_y(1.0);

@@ -48,6 +48,33 @@ for target in $boards; do
     device_bits $target
 done
 
+# other_bits <architecture> [cargo arguments]: the bits of another processor with Linux, in the emulator of its programs.
+other_bits() {
+    local target=$1-unknown-linux-gnu label="$1-unknown-linux-gnu, ${*:2}" linker=$1-linux-gnu-gcc variable
+    label=${label%, } variable=CARGO_TARGET_${target^^}
+    variable=${variable//-/_}
+    shift
+    if ! have_target "$target"; then
+        skip "$label: target $target is not installed (rustup target add $target)"
+        return
+    elif ! have "$linker"; then
+        skip "$label: $linker is not installed"
+        return
+    elif ! have "qemu-${target%%-*}"; then
+        skip "$label: qemu-${target%%-*} (package qemu-user) is not installed"
+        return
+    fi
+    (cd "$root/examples/firmware" && env "${variable}_LINKER=$linker" \
+        "${variable}_RUNNER=qemu-${target%%-*} -L /usr/${linker%-gcc}" \
+        cargo run --quiet --release --bin bits --target "$target" "$@") >"$out/bits.other" ||
+        { fail "$label: does not build, or exits with code $?"; return 0; }
+    same_bits "$label" "$out/bits.other"
+}
+for architecture in aarch64 s390x; do # NEON, and numbers whose first byte is the largest
+    other_bits $architecture
+    other_bits $architecture --features simd
+done
+
 # web_bits <label> <rustc flags> [cargo arguments]
 web_bits() {
     local label="$wasm, $1" flags=$2

@@ -120,31 +120,57 @@ for target in $boards; do
     device_costs $target small
 done
 
-# no_panic <target> <profile> <image>: builds an image of many run-time steps, which links only if none can panic.
+# no_panic <target> <profile> <image> <feature>: builds an image that links only if nothing in it can panic.
 no_panic() {
     local label="$1 $2: $3" elf=$CARGO_TARGET_DIR/$1/$2/$3
-    can_run "$1" "$label" || return 0
-    measuring "$label" "$1" "$2" "$3" || return 0
+    local build=(--quiet --target "$1" --profile "$2" --no-default-features --features "$4" --bin "$3")
+    if ! have_target "$1"; then
+        skip "$label: target $1 is not installed (rustup target add $1)"
+        return
+    elif ! (cd "$root/examples/firmware" && cargo build "${build[@]}") 2>"$out/no_panic"; then
+        grep -q this_image_can_panic "$out/no_panic" || cat "$out/no_panic"
+        fail "$label does not link; these functions can panic: $(who_can_panic "$elf" "${build[@]}")"
+        return
+    fi
     pass "$label: links without a panic"
     have nm || { skip "$label: nm is not installed"; return 0; }
     lacks "$label" "$elf" "core::fmt, panic or allocator" "$text"
-    lacks "$label" "$elf" "software f64" "$f64"
     case $3 in
-    *sensor) no_fine_table "$label" "$elf" ;;
+    *constants) ;; # these compute in f64
+    *) lacks "$label" "$elf" "software f64" "$f64" ;;
     esac
 }
+
+# who_can_panic <elf> <cargo arguments>: links an image although it can panic, and prints the functions that do.
+who_can_panic() {
+    local elf=$1
+    shift
+    (cd "$root/examples/firmware" && cargo rustc "$@" -- -C symbol-mangling-version=v0 -C link-arg=--emit-relocs \
+        -C link-arg=--defsym=this_image_can_panic=0) 2>/dev/null || return 0
+    # A relocation in the code names what is called there, and a symbol that begins before it is the caller.
+    { nm --numeric-sort "$elf" | sed 's/^/symbol /'; readelf --relocs --wide "$elf"; } | awk '
+        $1 == "symbol" && $3 ~ /^[tT]$/ && $4 !~ /^\$/ { place[++count] = $2; name[count] = $4 }
+        $5 ~ /4core9panicking/ {
+            low = 1; high = count
+            while (low < high) {
+                middle = int((low + high + 1) / 2)
+                if (place[middle] <= $1) low = middle; else high = middle - 1
+            }
+            if (name[low] !~ /4core9panicking/) print name[low]
+        }' | sort -u | c++filt
+}
 for profile in release small; do
-    no_panic $m4f $profile no_panic
-    no_panic $m4f $profile no_panic_light
-    for target in $boards; do
-        no_panic $target $profile no_panic_sensor
+    for image in no_panic no_panic_constants; do
+        for target in $boards; do
+            no_panic $target $profile $image no-panic
+        done
     done
 done
 
 # A path of factors must cost as much as a loop by hand, and must not contain code of effects that are not in it.
 effects='fluorescen|onaldson|polariz|Polariz|phosphor|Phosphor'
 for profile in release small; do
-    no_panic $m4f $profile path_plain
+    no_panic $m4f $profile path_plain measure
     label="$m4f $profile: path_plain" images=$CARGO_TARGET_DIR/$m4f/$profile
     if [[ -e $images/path_plain && -e $images/path_count ]] && have nm; then
         lacks "$label" "$images/path_plain" "fluorescence or polarization" "$effects"

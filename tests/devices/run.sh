@@ -41,9 +41,16 @@ profile_for() {
 install() {
     local target sudo=
     [[ $(id -u) == 0 ]] || sudo=sudo
-    for target in $boards $wasm; do
+    for target in $boards $wasm $others; do
         have_target $target || rustup target add $target || echo "::warning::could not add $target"
     done
+    if ! have qemu-s390x || ! have aarch64-linux-gnu-gcc || ! have s390x-linux-gnu-gcc; then
+        # Without recommended packages the compilers lack the files of the C library.
+        $sudo apt-get update &&
+            $sudo apt-get install -y --no-install-recommends qemu-user gcc-{aarch64,s390x}-linux-gnu \
+                libc6-dev-{arm64,s390x}-cross ||
+            echo "::warning::could not install QEMU and linkers for other processors"
+    fi
     if ! have qemu-system-arm || ! have qemu-system-riscv32 || ! have readelf; then
         # Recommended packages are left out, since qemu-utils conflicts with other packages on some systems.
         $sudo apt-get update &&

@@ -27,7 +27,7 @@
 //! | `path_count` | How many instructions does light take along a path? |
 //! | `path_folded` | How many instructions does a path take that is folded into the observer? |
 //! | `path_plain` | Does a path without fluorescence and polarization contain their code? |
-//! | `no_panic`, `no_panic_light`, `no_panic_sensor` | Can any run-time step of the crate panic? |
+//! | `no_panic`, `no_panic_constants` | Can any public function of the crate panic? |
 //!
 //! `tests/devices.sh` runs all of them, and `tests/on_target.rs` on a host and on every board.
 #![no_std]

@@ -32,7 +32,7 @@ extern "C" fn xyz() -> *mut [f32; 3] {
 /// Computes X, Y, Z of the first `count` spectra, by the CIE 1931 functions folded to their bands.
 #[unsafe(no_mangle)]
 extern "C" fn measure(count: u32) {
-    let Readings { spectra, xyz } = INSTRUMENT.get();
+    let Readings { spectra, xyz } = &mut *INSTRUMENT.get();
     EYE.sees_each(spectra.get(..count as usize).unwrap_or(spectra), xyz);
 }
 
@@ -40,7 +40,7 @@ extern "C" fn measure(count: u32) {
 #[cfg(feature = "bench")]
 #[unsafe(no_mangle)]
 extern "C" fn measure_plainly(count: u32) {
-    let Readings { spectra, xyz } = INSTRUMENT.get();
+    let Readings { spectra, xyz } = &mut *INSTRUMENT.get();
     for (spectrum, xyz) in spectra.iter().zip(xyz).take(count as usize) {
         for (value, row) in xyz.iter_mut().zip(EYE.weights()) {
             *value = row.iter().zip(spectrum.values()).fold(0.0, |sum, (a, b)| sum + a * b);

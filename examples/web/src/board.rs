@@ -2,6 +2,7 @@
 //! once.
 
 use crate::fixed::Fixed;
+use core::cell::RefMut;
 use core::mem::offset_of;
 use nanospectra::{Fine, Interpolation, Outside, Power, SamplesError, Spectrum};
 
@@ -33,7 +34,8 @@ static BOARD: Fixed<Board> = Fixed::new(Board {
     out: [0.0; 512],
 });
 
-pub fn board() -> &'static mut Board {
+/// Returns all of it, until what is returned is dropped.
+pub fn board() -> RefMut<'static, Board> {
     BOARD.get()
 }
 
@@ -88,7 +90,7 @@ pub fn code(error: SamplesError) -> u32 {
 /// `hold` is 1. Returns 0, or the [`code`] of an error.
 #[unsafe(no_mangle)]
 extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
-    let board = board();
+    let board = &mut *board();
     let is_sprague = cfg!(feature = "light") && sprague == 1;
     let by = if is_sprague { Interpolation::Sprague } else { Interpolation::Linear };
     let outside = if hold == 0 { Outside::Zero } else { Outside::Hold };

@@ -56,7 +56,7 @@ fn errors<const N: usize, G: Grid>(light: &Fine<Power>, curve: u32, out: &mut [f
 /// (spline) or 3 (not folded). Returns 0, or 1 for a combination that is not compiled in.
 #[unsafe(no_mangle)]
 extern "C" fn look_coarsely(bands: u32, range: u32, scheme: u32) -> u32 {
-    let board = board();
+    let board = &mut *board();
     let (light, out) = (&board.curve, &mut board.out[..]);
     macro_rules! grids {
         ($($count:literal)*) => {

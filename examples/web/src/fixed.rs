@@ -1,22 +1,28 @@
 //! Memory at fixed addresses, which JavaScript can also read and write.
 
-use core::cell::UnsafeCell;
+use core::cell::{RefCell, RefMut};
 
-/// The memory of one module, which has a single thread.
-pub struct Fixed<T>(UnsafeCell<T>);
+// Modules of several threads would share this memory.
+#[cfg(target_feature = "atomics")]
+compile_error!("this memory belongs to a module with a single thread, which the feature `atomics` gives up");
+
+/// The memory of one module, which has a single thread. JavaScript uses it while no export is running.
+pub struct Fixed<T>(RefCell<T>);
 
 // SAFETY: there is no other thread to share it with.
 unsafe impl<T> Sync for Fixed<T> {}
 
 impl<T> Fixed<T> {
     pub const fn new(value: T) -> Self {
-        Fixed(UnsafeCell::new(value))
+        Fixed(RefCell::new(value))
     }
 
-    /// Returns all of it, for the one export that is running.
-    #[expect(clippy::mut_from_ref, reason = "fixed memory that JavaScript writes to as well")]
-    pub fn get(&self) -> &mut T {
-        // SAFETY: exports do not call each other, and each calls this once.
-        unsafe { &mut *self.0.get() }
+    /// Returns all of it, until what is returned is dropped. The module stops if it is in use already, which
+    /// would be a mistake in the module.
+    pub fn get(&self) -> RefMut<'_, T> {
+        match self.0.try_borrow_mut() {
+            Ok(all) => all,
+            Err(_) => core::arch::wasm32::unreachable(),
+        }
     }
 }

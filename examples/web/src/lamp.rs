@@ -23,7 +23,7 @@ extern "C" fn dominant(observer: u32, white_x: f32, white_y: f32) {
 /// then, for a light in W/m2/nm, the illuminance in lx and the PPFD in umol/m2/s.
 #[unsafe(no_mangle)]
 extern "C" fn photometry() {
-    let board = board();
+    let board = &mut *board();
     let light = &board.curve;
     board.out[0] = luminous_efficacy(light).unwrap_or(f32::NAN);
     board.out[1] = AlphaOpic::der(light).map_or(f32::NAN, |ratios| ratios.melanopic);
@@ -58,7 +58,7 @@ fn put_cri(light: &Fine<Power>, out: &mut [f32; 17]) -> u32 {
 /// none.
 #[unsafe(no_mangle)]
 extern "C" fn rendering() -> u32 {
-    let Board { curve, out, .. } = board();
+    let Board { curve, out, .. } = &mut *board();
     out.first_chunk_mut().map_or(0, |out| put_cri(curve, out))
 }
 
@@ -66,7 +66,7 @@ extern "C" fn rendering() -> u32 {
 /// bins; then Rf of the 99 samples. Returns 0, or the reason why there are none.
 #[unsafe(no_mangle)]
 extern "C" fn fidelity() -> u32 {
-    let board = board();
+    let board = &mut *board();
     match tm30(&board.curve) {
         Ok(Tm30 { rf, rg, rf_ces, bins, .. }) => {
             let out = &mut board.out;
@@ -111,7 +111,7 @@ extern "C" fn batch_results() -> *mut [f32; 20] {
 /// distance to the reference and R1..R15, which are NaN where there are none.
 #[unsafe(no_mangle)]
 extern "C" fn measure_batch(count: u32) {
-    let Batch { lights, results } = BATCHES.get();
+    let Batch { lights, results } = &mut *BATCHES.get();
     for (light, result) in lights.iter().zip(results).take(count as usize) {
         let [x, y, z, rest @ ..] = result;
         [*x, *y, *z] = eye(0).sees(light);

@@ -36,7 +36,7 @@ pub fn eye(number: u32) -> &'static FineObserver<3> {
 /// Computes the color of the light in `curve`. Returns 0, or 1 if its Y is not above zero.
 #[unsafe(no_mangle)]
 extern "C" fn see_light(observer: u32) -> u32 {
-    let board = board();
+    let board = &mut *board();
     let seen = Xyz::from(eye(observer).sees(&board.curve));
     let standard = if observer == 0 { seen } else { Xyz::from(CIE_1931.sees(&board.curve)) };
     let Some(relative) = seen.with_y(100.0).filter(|_| standard.y > 0.0) else { return 1 };

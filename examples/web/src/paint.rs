@@ -103,7 +103,7 @@ mod methods {
     /// for white), L*, a*, b*, and 8-bit sRGB adapted to D65. Returns 0, or 1 if the light is dark.
     #[unsafe(no_mangle)]
     extern "C" fn paint_under() -> u32 {
-        let board = board();
+        let board = &mut *board();
         let eye: Observer<3, N, Factor, Grid> =
             CIE_1931.under(&board.light).fold(Curve::Step).with_white_y(100.0);
         let white = Xyz::from(eye.row_sums().map(|sum| sum as f32));

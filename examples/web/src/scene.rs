@@ -76,7 +76,7 @@ static SCENE: Fixed<Parts> = Fixed::new(Parts {
 
 /// Adds a part behind the others. Returns 0, or 7 if there is no room.
 fn add(what: What, without: Reflectance<N, Grid>) -> u32 {
-    let Parts { parts, without: plain, count } = SCENE.get();
+    let Parts { parts, without: plain, count } = &mut *SCENE.get();
     let (Some(part), Some(plain)) = (parts.get_mut(*count), plain.get_mut(*count)) else { return 7 };
     (*part, *plain) = (what, without);
     *count += 1;
@@ -122,7 +122,7 @@ extern "C" fn absorber(count: u32, path_m: f32, matt: u32) -> u32 {
 /// `out`.
 #[unsafe(no_mangle)]
 extern "C" fn dye(reflectance: u32, absorption: u32, emission: u32, quantum_yield: f32) -> u32 {
-    let Board { samples, out, .. } = board();
+    let Board { samples, out, .. } = &mut *board();
     let (first, rest) = samples.split_at((reflectance as usize).min(samples.len()));
     let (second, rest) = rest.split_at((absorption as usize).min(rest.len()));
     let third = rest.get(..emission as usize).unwrap_or(rest);
@@ -259,7 +259,7 @@ fn scene(Parts { parts, without, count }: &Parts, off: u32) -> Scene<'_, N, PART
 /// is not negative, effects are left out within that CIEDE2000. Returns 0, or 1 if the lamp is dark.
 #[unsafe(no_mangle)]
 extern "C" fn answer(eye: u32, illuminance_lx: f32, off: u32, budget: f32) -> u32 {
-    let board = board();
+    let board = &mut *board();
     let parts = &*SCENE.get();
     let lit: Light<N, Grid> = board.curve.resample();
     let photopic = photopic();

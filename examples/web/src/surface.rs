@@ -17,7 +17,7 @@ extern "C" fn difference(l: f32, a: f32, b: f32, other_l: f32, other_a: f32, oth
 /// gives no white for Lab, plus 2 if its white cannot be adapted to D65.
 #[unsafe(no_mangle)]
 extern "C" fn see_surface(observer: u32) -> u32 {
-    let board = board();
+    let board = &mut *board();
     let room = eye(observer).under(&board.light).with_white_y(100.0);
     let white = Xyz::from(room.sees(&Fine::flat(1.0)));
     let xyz = Xyz::from(room.sees(&Fine::<Factor>::from_bins(*board.curve.values())));

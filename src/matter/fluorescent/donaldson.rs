@@ -59,7 +59,7 @@ impl<const N: usize, const P: usize, G: Bands> Donaldson<N, P, G> {
     /// Makes fluorescent matter from a measured matrix.
     ///
     /// `matrix[k][i]` is the share of the light of bin `i` that leaves in bin `k`, where both are power per
-    /// nm.
+    /// nm. The energy of each bin is added up in f64.
     ///
     /// # Errors
     /// * [`FluorescenceError::OutOfRange`]: a share is negative or not finite.

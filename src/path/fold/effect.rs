@@ -22,7 +22,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
 
     /// Folds fluorescent matter that is described by a Donaldson matrix into this observer.
     ///
-    /// It is used as [`looking_at_dye`](Self::looking_at_dye) is.
+    /// It is used as [`looking_at_dye`](Self::looking_at_dye) is, and computes in f64 as that does.
     #[must_use]
     pub const fn looking_at_donaldson<const P: usize>(&self, matter: &Donaldson<N, P, G>) -> Self {
         let mut weights = self.0;

@@ -9,7 +9,7 @@ use crate::spectrum::Power;
 /// peak.
 ///
 /// On bins wider than a few nanometers these are values at the centers and not averages: make them on 1 nm
-/// and [`fold`](Observer::fold).
+/// and [`fold`](Observer::fold). It computes in f64 and is meant for constants.
 ///
 /// ```
 /// # use nanospectra::{Nodes, Observer, Power, sensor::gaussian_responsivities};

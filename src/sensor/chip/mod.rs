@@ -151,7 +151,8 @@ impl Chip {
 
     /// Returns one channel of `NOMINAL` on any grid.
     ///
-    /// `None` if there is no such channel, or if nothing is known of its responsivity.
+    /// `None` if there is no such channel, or if nothing is known of its responsivity. It computes in f64, as
+    /// [`fold`](Observer::fold) does.
     ///
     /// ```
     /// # use nanospectra::sensor::chip::as7341;

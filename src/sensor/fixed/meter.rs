@@ -94,7 +94,7 @@ impl<const C: usize> FixedMeter<C> {
     /// See the [example](#example).
     ///
     /// The result is `None` in the same cases as that of [`new`](Self::new), and if a dark level is not
-    /// within 0..=65 535.
+    /// within 0..=65 535. It computes in f64, so call it in a `const` or a `static`.
     #[must_use]
     pub const fn new_above(
         exposure: &Exposure,

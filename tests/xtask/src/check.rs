@@ -1,6 +1,7 @@
 //! The checks of every change.
 
 use crate::docs;
+use crate::images;
 use crate::lane::Lane;
 use crate::shell::{Outcome, Shell};
 use crate::toolchain;
@@ -85,6 +86,7 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
         })
     });
     lane.step("documentation of every public item", docs::check);
+    lane.step("every public function is in an image that cannot panic", images::check);
     lane.step("documentation as docs.rs builds it", |shell| {
         docs::labels::check(shell)?;
         docs::links::check(shell)

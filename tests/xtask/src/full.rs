@@ -2,7 +2,7 @@
 
 use crate::check::{STATIONS, documentation, each, format, harnesses, lints, walls};
 use crate::lane::Lane;
-use crate::shell::{Outcome, Shell};
+use crate::shell::{Outcome, Shell, root};
 use crate::toolchain::{self, BOARDS, OLDEST, WASM};
 use crate::workspace::{self, APART, Package};
 
@@ -100,6 +100,7 @@ fn beside(lane: &mut Lane, targets: &[&str], packages: &[Package]) {
     lane.step("lints with each feature, none and all; with none and all on other targets", |shell| {
         lints_with_features(shell, targets)
     });
+    lane.step("x86 without SSE2: a program for UEFI takes no vectors, and the x87 is refused", without_sse2);
     lane.step("lints of the packages for devices and for the web", |shell| lints_apart(shell, targets));
     lane.step("the oldest compiler builds everything", |shell| oldest_compiler(shell, packages));
     lane.step("Miri interprets the kernel for x86-64", miri);
@@ -129,6 +130,30 @@ fn lints_with_features(shell: &Shell, targets: &[&str]) -> Outcome {
     Ok(())
 }
 
+fn without_sse2(shell: &Shell) -> Outcome {
+    let shell = shell.again().with("CARGO_TARGET_DIR", "target/features");
+    let (uefi, x87) = ("x86_64-unknown-uefi", "i586-unknown-linux-gnu");
+    for target in [uefi, x87] {
+        if !shell.succeeds(&format!("rustup target add {target}")) {
+            shell.say(&format!("SKIPPED  {target} cannot be installed, so nothing was built for it"));
+            return Ok(());
+        }
+    }
+    // The files that were compiled, as a build system asks for them.
+    let files = "target/features/uefi.d";
+    shell.run(&format!(
+        "cargo rustc -p nanospectra --lib --features simd --target {uefi} -- --emit dep-info={files}"
+    ))?;
+    let compiled =
+        std::fs::read_to_string(root().join(files)).map_err(|error| format!("{files}: {error}"))?;
+    if !compiled.contains("src/sum/scalar.rs") || compiled.contains("src/sum/x86.rs") {
+        return Err(format!("{uefi} has no SSE2, but the library does not sum in scalars there"));
+    }
+    let check = format!("cargo check -p nanospectra --target {x87}");
+    shell.bash(&format!("{check} 2>&1 | grep 'this target computes on the x87'"))?;
+    shell.again().with("RUSTFLAGS", "--cfg nanospectra_x87").run(&check)
+}
+
 fn lints_apart(shell: &Shell, targets: &[&str]) -> Outcome {
     let [firmware, decode, web] = APART.map(|folder| shell.again().at(folder));
     for target in BOARDS.into_iter().filter(|target| targets.contains(target)) {
@@ -137,6 +162,8 @@ fn lints_apart(shell: &Shell, targets: &[&str]) -> Outcome {
     if targets.contains(&"thumbv7em-none-eabihf") {
         let measure = "--target thumbv7em-none-eabihf --no-default-features --features measure";
         firmware.run(&format!("cargo clippy --quiet {measure} -- -D warnings"))?;
+        let no_panic = "--target thumbv7em-none-eabihf --no-default-features --features no-panic";
+        firmware.run(&format!("cargo clippy --quiet {no_panic} -- -D warnings"))?;
     }
     firmware.run("cargo clippy --quiet --bins --tests -- -D warnings")?;
     decode.run("cargo clippy --quiet -- -D warnings")?;
@@ -149,7 +176,7 @@ fn oldest_compiler(shell: &Shell, packages: &[Package]) -> Outcome {
     if !toolchain::has(shell, &format!("cargo +{OLDEST} --version"), OLDEST, &without) {
         return Ok(());
     }
-    let shell = shell.again().with("CARGO_TARGET_DIR", crate::shell::root().join("target/oldest"));
+    let shell = shell.again().with("CARGO_TARGET_DIR", root().join("target/oldest"));
     let check = format!("cargo +{OLDEST} check --quiet --locked");
     each(packages, &shell, |name| format!("{check} -p {name} --all-targets"))?;
     shell.run(&format!("{check} -p nanospectra --all-features"))?;

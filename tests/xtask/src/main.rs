@@ -5,6 +5,7 @@ mod bless;
 mod check;
 mod docs;
 mod full;
+mod images;
 mod lane;
 mod mutants;
 mod shell;

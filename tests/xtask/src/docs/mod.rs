@@ -2,6 +2,7 @@
 //! docs.rs.
 
 mod examples;
+mod functions;
 mod items;
 pub mod labels;
 pub mod links;
@@ -12,7 +13,7 @@ use examples::Page;
 use items::{Item, items};
 use rustdoc_types::Crate;
 use sentence::{VERBLESS, fault, first_sentence};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 /// How many public items must have an example of their own or a link to one that shows them.
@@ -23,13 +24,7 @@ const VERBS: &str = "tests/xtask/data/verbs.txt";
 
 /// Fails if a public item is not documented as CONTRIBUTING.md asks, and prints every fault with its place.
 pub fn check(shell: &Shell) -> Outcome {
-    // Rustdoc writes JSON only with its unstable options. The compiler takes them with this variable, which
-    // would make cargo compile dependencies again for the other steps, so this one has its own folder.
-    let shell = shell.again().with("RUSTC_BOOTSTRAP", "1").with("CARGO_TARGET_DIR", "target/docs");
-    shell.run(
-        "cargo rustdoc --quiet -p nanospectra --all-features --lib -- -Zunstable-options --output-format json",
-    )?;
-    let library = read("target/docs/doc/nanospectra.json")?;
+    let library = library(shell)?;
     let found = faults(&library, &verbs()?);
     found.faults.iter().for_each(|fault| shell.say(fault));
     if found.faults.iter().any(|fault| fault.contains(VERBLESS)) {
@@ -49,6 +44,22 @@ pub fn check(shell: &Shell) -> Outcome {
         ));
     }
     Ok(())
+}
+
+/// The public functions of the library that can run, by their names, with their documentation.
+pub fn functions(shell: &Shell) -> Outcome<BTreeMap<String, String>> {
+    Ok(functions::functions(&library(shell)?))
+}
+
+/// What rustdoc knows of the library.
+fn library(shell: &Shell) -> Outcome<Crate> {
+    // Rustdoc writes JSON only with its unstable options. The compiler takes them with this variable, which
+    // would make cargo compile dependencies again for the other steps, so this one has its own folder.
+    let shell = shell.again().with("RUSTC_BOOTSTRAP", "1").with("CARGO_TARGET_DIR", "target/docs");
+    shell.run(
+        "cargo rustdoc --quiet -p nanospectra --all-features --lib -- -Zunstable-options --output-format json",
+    )?;
+    read("target/docs/doc/nanospectra.json")
 }
 
 fn read(path: &str) -> Outcome<Crate> {

@@ -1,0 +1,51 @@
+//! The functions of the module `math`.
+
+use super::names::*;
+
+pub fn all() {
+    calls![
+        <math::Complex as core::ops::Add>::add,
+        <math::Complex as core::ops::Sub>::sub,
+        <f32 as core::ops::Mul<color::Xyz>>::mul,
+        <math::Fast as math::Math>::sqrt,
+        <math::Fast as math::Math>::cbrt,
+        <math::Fast as math::Math>::exp,
+        <math::Fast as math::Math>::expm1,
+        <math::Fast as math::Math>::ln,
+        <math::Fast as math::Math>::powf,
+        <math::Fast as math::Math>::atan2,
+        <math::Fast as math::Math>::cos_turns,
+        <math::Fast as math::Math>::sin_turns,
+        <math::Portable as math::Math>::sqrt,
+        <math::Portable as math::Math>::cbrt,
+        <math::Portable as math::Math>::exp,
+        <math::Portable as math::Math>::expm1,
+        <math::Portable as math::Math>::ln,
+        <math::Portable as math::Math>::powf,
+        <math::Portable as math::Math>::atan2,
+        <math::Portable as math::Math>::cos_turns,
+        <math::Portable as math::Math>::sin_turns,
+        <math::Libm as math::Math>::sqrt,
+        <math::Libm as math::Math>::exp,
+        <math::Libm as math::Math>::expm1,
+        <math::Libm as math::Math>::ln,
+        <math::Libm as math::Math>::powf,
+        <math::Libm as math::Math>::atan2,
+        <math::Micromath as math::Math>::sqrt,
+        <math::Micromath as math::Math>::cbrt,
+        <math::Micromath as math::Math>::exp,
+        <math::Micromath as math::Math>::expm1,
+        <math::Micromath as math::Math>::ln,
+        <math::Micromath as math::Math>::powf,
+        <math::Micromath as math::Math>::atan2,
+        <math::Micromath as math::Math>::cos_turns,
+        <math::Micromath as math::Math>::sin_turns,
+        math::Complex::power,
+        <math::Complex as core::ops::Mul>::mul,
+        math::cbrt,
+        math::sqrt,
+        math::cos_turns,
+        math::sin_turns,
+    ];
+    operators![];
+}
