@@ -4,7 +4,7 @@ use crate::color::{Cct, Xyz};
 use crate::light::{C2_COLOR_NM, blackbody_shape, daylight_at};
 use crate::math::Portable;
 use crate::observer::CIE_1931;
-use crate::spectrum::{Fine, Power, Spectrum};
+use crate::spectrum::{Fine, Power};
 use core::fmt;
 
 /// The reason why the color rendering of a light cannot be computed.
@@ -61,9 +61,11 @@ pub(super) fn temperature(light: &Fine<Power>) -> Result<(f32, f32), RenderingEr
     }
 }
 
-/// Returns the light of a black body of color temperature `cct_k`, 1 at 560 nm (c2 = 1.4388e-2 m K).
-pub(super) fn planckian(cct_k: f32) -> Fine<Power> {
-    Spectrum::at_centers(|nm| blackbody_shape::<Portable>(nm, cct_k, C2_COLOR_NM))
+/// Makes the light of a black body of color temperature `cct_k`, 1 at 560 nm (c2 = 1.4388e-2 m K).
+pub(super) fn planckian(cct_k: f32, light: &mut Fine<Power>) {
+    for (k, value) in light.values_mut().iter_mut().enumerate() {
+        *value = blackbody_shape::<Portable>(Fine::<Power>::center_nm(k), cct_k, C2_COLOR_NM);
+    }
 }
 
 /// Returns CIE daylight, 100 at 560 nm, interpolated linearly between its 5 nm nodes.

@@ -47,27 +47,44 @@ static SAMPLES: [[f32; 16]; NODES] = {
 /// The weights that the interpolation gives to the six nodes around, for 1 to 4 nm after a node.
 const SHARES: [[f32; 6]; 4] = [quintic(0.2), quintic(0.4), quintic(0.6), quintic(0.8)];
 
+/// How many nodes are computed at a time.
+const BLOCK: usize = 33;
+
 /// Computes the colors under a light.
+///
+/// Light and color-matching function are multiplied at each nanometer, and the products are distributed to the nodes
+/// by the weights of the interpolation. A cell holds the products at a node and at the 4 nm after it. Only the cells
+/// of one block of nodes are kept, and before them the last five of the block before, which are zeros at first.
 pub(super) fn under(light: &Fine<Power>) -> Colors {
     let mut colors = [[0.0; 16]; 3];
     for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {
-        for (sample, at) in SAMPLES.iter().zip(&on_nodes(light.values(), row)) {
-            add(sums, *at, sample);
+        let mut cells = [[0.0; 5]; BLOCK + 5];
+        let blocks = light.values().chunks(5 * BLOCK).zip(row.chunks(5 * BLOCK));
+        for ((light, row), samples) in blocks.zip(SAMPLES.chunks(BLOCK)) {
+            cells.copy_within(BLOCK.., 0);
+            let [_, _, _, _, _, fresh @ ..] = &mut cells;
+            let fresh = fresh.as_flattened_mut();
+            for (product, (light, row)) in fresh.iter_mut().zip(light.iter().zip(row)) {
+                *product = light * row;
+            }
+            // Beyond the end of the light there is nothing.
+            if let Some(rest) = fresh.get_mut(light.len()..) {
+                rest.fill(0.0);
+            }
+            for (node, sample) in on_nodes(&cells).iter().zip(samples) {
+                add(sums, *node, sample);
+            }
         }
     }
     colors
 }
 
-/// Multiplies light and color-matching function at each nanometer, and distributes the products to the nodes
-/// by the weights of the interpolation. (The five values after the 99 nodes are zero.)
-fn on_nodes(light: &[f32; 471], row: &[f32; 471]) -> [f32; 104] {
-    // A cell holds the products at a node and at the 4 nm after it. Five cells of zeros precede the first.
-    let mut cells = [[0.0; 5]; 112];
-    let [_, _, _, _, _, inside @ ..] = &mut cells;
-    for (product, (light, row)) in inside.as_flattened_mut().iter_mut().zip(light.iter().zip(row)) {
-        *product = light * row;
-    }
-    let mut nodes = [0.0; 104];
+/// Sums what the six cells around each node give to it: node `k` is that of cell `k` + 3.
+///
+/// (Inlined, it would not have the registers that the caller's sums are in.)
+#[inline(never)]
+fn on_nodes(cells: &[[f32; 5]; BLOCK + 5]) -> [f32; BLOCK] {
+    let mut nodes = [0.0; BLOCK];
     for (k, node) in nodes.iter_mut().enumerate() {
         let mut sum = cells[k + 3][0];
         for (nm, shares) in SHARES.iter().enumerate() {

@@ -4,8 +4,9 @@ use crate::color::Xyz;
 use crate::color::cam02ucs::{Cam02Ucs, Viewing};
 use crate::color::reference::{RenderingError, daylight, planckian, temperature};
 use crate::math::{Math, Portable, sqrt};
-use crate::observer::{CIE_1931, CIE_1964, FineObserver};
-use crate::spectrum::{Factor, Fine, Power};
+use crate::observer::{CIE_1931, CIE_1964};
+use crate::spectrum::{Fine, Power};
+use crate::sum;
 use crate::test_samples::CES;
 
 /// The measures of TM-30, which describe how a light renders the 99 color evaluation samples.
@@ -97,24 +98,24 @@ pub struct HueBin {
 /// # Ok::<(), nanospectra::color::RenderingError>(())
 /// ```
 pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
-    let light = light.within(380.0, 780.0);
-    let (cct_k, duv) = temperature(&light)?;
-    let test = Judge::new(&light)?;
-    let standard = Judge::new(&reference(cct_k))?;
+    let (cct_k, duv) = temperature_within(light)?;
+    // The light first, and then its reference, so that only one observer is on the stack.
+    let (mut test, mut standard) = ([Cam02Ucs::default(); 99], [Cam02Ucs::default(); 99]);
+    look(light, &mut test)?;
+    look_under_reference(cct_k, &mut standard)?;
 
     let mut rf_ces = [0.0; 99];
     let mut bins = [Bin::default(); 16];
     let mut total = 0.0;
-    for (rf, sample) in rf_ces.iter_mut().zip(&CES) {
-        let (a, b) = (test.looks_at(sample.values()), standard.looks_at(sample.values()));
-        let difference = a.distance(b);
+    for (rf, (a, b)) in rf_ces.iter_mut().zip(test.iter().zip(&standard)) {
+        let difference = a.distance(*b);
         *rf = fidelity(difference);
         total += difference;
         // Counterclockwise from a' > 0, in sixteenths of the circle.
         let turns = Portable::atan2(b.b, b.a) / core::f32::consts::TAU;
         let sector = if turns < 0.0 { turns + 1.0 } else { turns } * 16.0;
         if let Some(bin) = bins.get_mut((sector as usize).min(15)) {
-            bin.add(a, b, difference);
+            bin.add(*a, *b, difference);
         }
     }
     let rf = fidelity(total / 99.0);
@@ -138,50 +139,82 @@ fn fidelity(difference: f32) -> f32 {
     10.0 * Portable::ln(Portable::exp(plain / 10.0) + 1.0)
 }
 
-/// Returns the reference light of this temperature, over 380..=780 nm.
-fn reference(cct_k: f32) -> Fine<Power> {
-    let black = planckian(cct_k).within(380.0, 780.0);
-    if cct_k <= 4000.0 {
-        return black;
-    }
-    let day = daylight(cct_k).within(380.0, 780.0);
+// Functions that are not inlined below give their memory back before the next one is called.
+
+/// Returns the CCT and Duv of a light, which counts over 380..=780 nm.
+#[inline(never)]
+fn temperature_within(light: &Fine<Power>) -> Result<(f32, f32), RenderingError> {
+    temperature(&light.within(380.0, 780.0))
+}
+
+/// Computes how the samples look under the reference light of this temperature.
+#[inline(never)]
+fn look_under_reference(cct_k: f32, colors: &mut [Cam02Ucs; 99]) -> Result<(), RenderingError> {
+    let mut light = Fine::flat(0.0);
+    reference(cct_k, &mut light);
+    look(&light, colors)
+}
+
+/// Makes the reference light of this temperature, which counts over 380..=780 nm.
+#[inline(never)]
+fn reference(cct_k: f32, light: &mut Fine<Power>) {
     if cct_k >= 5000.0 {
-        return day;
+        *light = daylight(cct_k);
+        return;
     }
-    let ([_, black_y, _], [_, day_y, _]) = (CIE_1931.sees(&black), CIE_1931.sees(&day));
-    let share = (cct_k - 4000.0) / 1000.0;
-    black * ((1.0 - share) / black_y) + day * (share / day_y)
+    planckian(cct_k, light);
+    if cct_k > 4000.0 {
+        let day = daylight(cct_k);
+        let share = (cct_k - 4000.0) / 1000.0;
+        let (of_black, of_day) = ((1.0 - share) / luminance(light), share / luminance(&day));
+        for (value, day) in light.values_mut().iter_mut().zip(day.values()) {
+            *value = *value * of_black + day * of_day;
+        }
+    }
 }
 
-/// The observer and the viewing condition of the method under one light.
-struct Judge {
-    eye: FineObserver<3, Factor>,
-    viewing: Viewing,
+/// Returns the luminance of a light over 380..=780 nm.
+#[inline(never)]
+fn luminance(light: &Fine<Power>) -> f32 {
+    let [_, y, _] = CIE_1931.sees(&light.within(380.0, 780.0));
+    y
 }
 
-impl Judge {
-    fn new(light: &Fine<Power>) -> Result<Self, RenderingError> {
-        let mut eye = CIE_1964.under(light);
-        let white = Xyz::from(eye.sees(&Fine::flat(1.0)));
-        let scale = 100.0 / white.y;
-        if !scale.is_finite() {
-            return Err(RenderingError::Dark);
-        }
-        for weight in eye.0.as_flattened_mut() {
-            *weight *= scale;
-        }
-        Ok(Judge { eye, viewing: Viewing::new(white.scaled(scale)) })
-    }
+/// The number of nanometers over which the method sums, which is that of the samples.
+const RANGE: usize = 401;
 
-    /// Returns the appearance of a sample. (Samples are tabulated over 380..=780 nm, the middle of the
-    /// observer's grid.)
-    fn looks_at(&self, sample: &[f32; 401]) -> Cam02Ucs {
-        let mut fine = Fine::flat(0.0);
-        if let Some(middle) = fine.values_mut().get_mut(20..).and_then(|rest| rest.first_chunk_mut()) {
-            *middle = *sample;
+/// Returns the middle of a row at every nanometer of 360..=830 nm, over 380..=780 nm.
+fn middle(row: &[f32; 471]) -> &[f32; RANGE] {
+    const { assert!(20 + RANGE + 50 == 471) };
+    let [_, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, rest @ ..] = row;
+    rest.split_first_chunk().map_or(const { &[0.0; RANGE] }, |(middle, _)| middle)
+}
+
+/// Computes how the samples look under a light.
+///
+/// The weights of the observer begin at 380 nm, where the CIE's grid has 20 nm before. That is a multiple of four,
+/// and so the eight partial sums of a row are only swapped in pairs that are added up first: no bit changes.
+#[inline(never)]
+fn look(light: &Fine<Power>, colors: &mut [Cam02Ucs; 99]) -> Result<(), RenderingError> {
+    let mut eye = [[0.0; RANGE]; 3];
+    for (weights, row) in eye.iter_mut().zip(CIE_1964.weights()) {
+        for (weight, (row, light)) in weights.iter_mut().zip(middle(row).iter().zip(middle(light.values()))) {
+            *weight = row * light;
         }
-        self.viewing.appearance(Xyz::from(self.eye.sees(&fine)))
     }
+    let white = Xyz::from(eye.each_ref().map(|row| sum::sum(row)));
+    let scale = 100.0 / white.y;
+    if !scale.is_finite() {
+        return Err(RenderingError::Dark);
+    }
+    for weight in eye.as_flattened_mut() {
+        *weight *= scale;
+    }
+    let viewing = Viewing::new(white.scaled(scale));
+    for (color, sample) in colors.iter_mut().zip(&CES) {
+        *color = viewing.appearance(Xyz::from(sum::rows(&eye, sample.values())));
+    }
+    Ok(())
 }
 
 /// The sums over the samples of a bin.

@@ -69,7 +69,11 @@ fn locus(cct_k: f32) -> Xy {
 /// Computes as [`daylight`] does, but at any temperature: references above 25000 K follow the same formula.
 pub(crate) fn spectrum(cct_k: f32) -> Daylight {
     let [m1, m2] = factors(cct_k);
-    S0 + S1 * m1 + S2 * m2
+    let mut light = S0;
+    for (value, (s1, s2)) in light.values_mut().iter_mut().zip(S1.values().iter().zip(S2.values())) {
+        *value = *value + s1 * m1 + s2 * m2;
+    }
+    light
 }
 
 /// M1 and M2, the factors of S1 and S2.

@@ -60,13 +60,18 @@ pub fn nonnegative_spectrum<const C: usize, const N: usize, G: Grid>(
     if counted == 0.0 {
         return Ok(Spectrum::flat(0.0));
     }
-    let search = Search {
-        g: sensor.weights().map(|row| row.map(|weight| weight / signal)),
+    let mut search = Search {
+        g: *sensor.weights(),
         counts: basic.values().map(|count| count / counted),
         root_alpha: crate::math::sqrt(alpha),
     };
-    let shape = search.run(max_iterations)?;
-    let light = Spectrum::<Power, N, G>::from_bins(shape.map(|value| value / signal * counted));
+    for weight in search.g.as_flattened_mut() {
+        *weight /= signal;
+    }
+    let mut light = Spectrum::<Power, N, G>::from_bins(search.run(max_iterations)?);
+    for value in light.values_mut() {
+        *value = *value / signal * counted;
+    }
     if largest(light.values()).is_finite() { Ok(light) } else { Err(FitError::NotFinite) }
 }
 
@@ -81,7 +86,8 @@ struct Search<const C: usize, const N: usize> {
 }
 
 impl<const C: usize, const N: usize> Search<C, N> {
-    fn run(&self, max_iterations: u32) -> Result<[f32; N], FitError> {
+    /// Returns the spectrum. The weights become those of its last least squares.
+    fn run(&mut self, max_iterations: u32) -> Result<[f32; N], FitError> {
         let mut m = [0.0; C];
         let mut spectrum = self.spectrum(&self.counts);
         let mut iterations = 0;
@@ -120,17 +126,16 @@ impl<const C: usize, const N: usize> Search<C, N> {
 
     /// Computes the spectrum that is best if just these bins are bright. From m it would lose digits: where
     /// no light explains the counts, m is what is left of them over alpha, and its terms cancel.
-    fn of_bright(&self, spectrum: &[f32; N]) -> [f32; N] {
-        let mut bright = self.g;
-        for row in &mut bright {
+    fn of_bright(&mut self, spectrum: &[f32; N]) -> [f32; N] {
+        for row in &mut self.g {
             row.iter_mut()
                 .zip(spectrum)
                 .filter(|(_, value)| **value <= 0.0)
                 .for_each(|(weight, _)| *weight = 0.0);
         }
-        let (inverse, _) = damped_inverse(bright, self.root_alpha);
+        let _ = damped_inverse(&mut self.g, self.root_alpha);
         let mut light = [0.0; N];
-        for (row, count) in inverse.iter().zip(&self.counts) {
+        for (row, count) in self.g.iter().zip(&self.counts) {
             light.iter_mut().zip(row).for_each(|(value, share)| *value += share * count);
         }
         light.map(|value| if value > 0.0 { value } else { 0.0 })

@@ -2,7 +2,7 @@
 //! reflections.
 
 use crate::math::const_for;
-use crate::sensor::calibrate::vector::{dot, hypot, less, norm, unit};
+use crate::sensor::calibrate::vector::{dot, hypot, norm, subtract, unit};
 
 /// A least squares problem of `C` unknowns and `D` right-hand sides that is fed row by row. It takes memory
 /// of C (C + D) whatever the number of rows.
@@ -93,14 +93,14 @@ pub(super) const fn forward<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) 
     x
 }
 
-/// Computes A (I d^2 + A' A)^-1 of `N` x `C` numbers, given and returned as columns, and the factor R of [d
-/// I; A].
+/// Computes A (I d^2 + A' A)^-1 of `N` x `C` numbers in the place of A, whose columns are given, and returns the
+/// factor R of [d I; A].
 ///
 /// With [d I; A] = [Q2; Q1] R this is Q1 R'^-1, which has the condition of A and not its square.
 pub(super) const fn damped_inverse<const C: usize, const N: usize>(
-    mut a: [[f32; N]; C],
+    a: &mut [[f32; N]; C],
     d: f32,
-) -> ([[f32; N]; C], [[f32; C]; C]) {
+) -> [[f32; C]; C] {
     let (mut r, mut tau) = ([[0.0; C]; C], [0.0; C]);
     const_for!(0..C, |k| {
         // The reflection is 1 - tau v v' with v = 1 in row k of the upper block, and a[k] / (d + norm) in the
@@ -114,29 +114,32 @@ pub(super) const fn damped_inverse<const C: usize, const N: usize>(
         const_for!(k + 1..C, |j| {
             let step = tau[k] * dot(&a[k], &a[j]);
             r[k][j] = -step;
-            a[j] = less(a[j], step, &a[k]);
+            const_for!(0..N, |n| a[j][n] -= step * a[k][n]);
         });
     });
     // Q1 comes from the reflections, the last one first, of the first C columns of the unit matrix. Column j
-    // meets those up to j.
-    let mut q = [[0.0; N]; C];
-    const_for!(0..C, |j| {
-        q[j] = less(q[j], tau[j], &a[j]);
+    // meets those up to j, so that it can take the place of the last of them.
+    let mut j = C;
+    while j > 0 {
+        j -= 1;
+        const_for!(0..N, |n| a[j][n] = 0.0 - tau[j] * a[j][n]);
         let mut left = j;
         while left > 0 {
             left -= 1;
-            let step = tau[left] * dot(&a[left], &q[j]);
-            q[j] = less(q[j], step, &a[left]);
+            let step = tau[left] * dot(&a[left], &a[j]);
+            const_for!(0..N, |n| a[j][n] -= step * a[left][n]);
         }
-    });
+    }
     // X R' = Q1 is solved from the last column to the first.
     let mut left = C;
     while left > 0 {
         left -= 1;
-        const_for!(left + 1..C, |j| q[left] = less(q[left], r[left][j], &q[j]));
-        const_for!(0..N, |n| q[left][n] /= r[left][left]);
+        const_for!(left + 1..C, |j| {
+            const_for!(0..N, |n| a[left][n] -= r[left][j] * a[j][n]);
+        });
+        const_for!(0..N, |n| a[left][n] /= r[left][left]);
     }
-    (q, r)
+    r
 }
 
 /// Computes the largest over the smallest singular value of R, whose columns are scaled to equal size first.
@@ -179,6 +182,6 @@ const fn times<const C: usize>(r: &[[f32; C]; C], x: [f32; C]) -> [f32; C] {
 
 const fn times_transposed<const C: usize>(r: &[[f32; C]; C], x: [f32; C]) -> [f32; C] {
     let mut y = [0.0; C];
-    const_for!(0..C, |k| y = less(y, -x[k], &r[k]));
+    const_for!(0..C, |k| subtract(&mut y, -x[k], &r[k]));
     y
 }

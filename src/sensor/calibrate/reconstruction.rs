@@ -6,7 +6,7 @@ use crate::observer::Observer;
 use crate::sensor::calibrate::fit::usable;
 use crate::sensor::calibrate::prior::semidefinite_root;
 use crate::sensor::calibrate::qr::{condition, damped_inverse};
-use crate::sensor::calibrate::vector::{dot, largest, less, norm, sqrt};
+use crate::sensor::calibrate::vector::{dot, largest, norm, sqrt, subtract};
 use crate::sensor::{BasicCounts, Calibration, FitError};
 use crate::spectrum::{Light, Power, Spectrum};
 use crate::sum::rows;
@@ -98,14 +98,15 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
                 a[c][n] = if n > 0 { fresh * carried } else { carried };
             }
         });
-        let (mut x, scale) = match solved(a, alpha * share(sensor.weights(), &a, 1.0)) {
-            Ok(solved) => solved,
+        let alpha = alpha * share(sensor.weights(), &a, 1.0);
+        let scale = match solve(&mut a, alpha) {
+            Ok(scale) => scale,
             Err(error) => return Err(error),
         };
         const_for!(0..C, |c| {
-            const_for!(1..N, |n| x[c][n] = x[c][n - 1] * correlation + fresh * x[c][n]);
+            const_for!(1..N, |n| a[c][n] = a[c][n - 1] * correlation + fresh * a[c][n]);
         });
-        Self::scaled(&x, scale)
+        Self::scaled(&a, scale)
     }
 
     /// Computes the calibration that gives what an eye sees of the reconstructed spectrum. See the
@@ -185,15 +186,17 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
         });
         let mut variance = 0.0;
         const_for!(0..N, |n| variance += covariance[n][n]);
-        let (x, scale) = match solved(a, alpha * share(sensor.weights(), &a, variance / N as f32)) {
-            Ok(solved) => solved,
+        let alpha = alpha * share(sensor.weights(), &a, variance / N as f32);
+        let scale = match solve(&mut a, alpha) {
+            Ok(scale) => scale,
             Err(error) => return Err(error),
         };
-        let mut spectra = [[0.0; N]; C];
         const_for!(0..C, |c| {
-            const_for!(0..N, |j| spectra[c] = less(spectra[c], -x[c][j], &columns[j]));
+            let mut spectrum = [0.0; N];
+            const_for!(0..N, |j| subtract(&mut spectrum, -a[c][j], &columns[j]));
+            a[c] = spectrum;
         });
-        Self::scaled(&spectra, scale)
+        Self::scaled(&a, scale)
     }
 
     /// Returns the rows of the matrix, where row `n` says how much of each channel goes into bin `n`.
@@ -233,12 +236,9 @@ const fn share<const C: usize, const N: usize>(
     if below > 0.0 { (above / below) * (above / below) * variance } else { 1.0 }
 }
 
-/// Computes A (A' A + alpha s^2)^-1 where s^2 is the mean square of A's columns, times the scale that is
-/// returned beside it.
-const fn solved<const C: usize, const N: usize>(
-    mut a: [[f32; N]; C],
-    alpha: f32,
-) -> Result<([[f32; N]; C], f32), FitError> {
+/// Computes A (A' A + alpha s^2)^-1 in the place of A, where s^2 is the mean square of A's columns, times the scale
+/// that is returned.
+const fn solve<const C: usize, const N: usize>(a: &mut [[f32; N]; C], alpha: f32) -> Result<f32, FitError> {
     let mut norms = [0.0; C];
     const_for!(0..C, |c| norms[c] = norm(&a[c]));
     let scale = norm(&norms) / sqrt(C as f32);
@@ -251,9 +251,9 @@ const fn solved<const C: usize, const N: usize>(
     if scale == 0.0 {
         return Err(FitError::IllConditioned { condition: f32::INFINITY });
     }
-    let (x, r) = damped_inverse(a, sqrt(alpha));
+    let r = damped_inverse(a, sqrt(alpha));
     match usable(condition(&r)) {
-        Ok(_) => Ok((x, scale)),
+        Ok(_) => Ok(scale),
         Err(error) => Err(error),
     }
 }

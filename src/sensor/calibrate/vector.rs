@@ -12,10 +12,9 @@ pub(super) const fn unit<const C: usize>(mut x: [f32; C]) -> ([f32; C], f32) {
     (x, norm)
 }
 
-/// Computes a - factor b.
-pub(super) const fn less<const N: usize>(mut a: [f32; N], factor: f32, b: &[f32; N]) -> [f32; N] {
+/// Subtracts factor b from a.
+pub(super) const fn subtract<const N: usize>(a: &mut [f32; N], factor: f32, b: &[f32; N]) {
     const_for!(0..N, |n| a[n] -= factor * b[n]);
-    a
 }
 
 pub(super) const fn dot<const N: usize>(a: &[f32; N], b: &[f32; N]) -> f32 {
