@@ -1,8 +1,7 @@
 //! Color fidelity and gamut by ANSI/IES TM-30-18; its fidelity is that of CIE 224.
 
-use crate::color::Xyz;
-use crate::color::cam02ucs::{Cam02Ucs, Viewing};
 use crate::color::reference::{RenderingError, daylight, planckian, temperature};
+use crate::color::{CamUcs, Ciecam02, Surround, ViewingConditions, Xyz};
 use crate::math::{Math, Portable, sqrt};
 use crate::observer::{CIE_1931, CIE_1964, FineObserver};
 use crate::spectrum::{Factor, Fine, Power};
@@ -156,7 +155,7 @@ fn reference(cct_k: f32) -> Fine<Power> {
 /// The observer and the viewing condition of the method under one light.
 struct Judge {
     eye: FineObserver<3, Factor>,
-    viewing: Viewing,
+    viewing: ViewingConditions<Ciecam02>,
 }
 
 impl Judge {
@@ -170,17 +169,20 @@ impl Judge {
         for weight in eye.0.as_flattened_mut() {
             *weight *= scale;
         }
-        Ok(Judge { eye, viewing: Viewing::new(white.scaled(scale)) })
+        // An adapting luminance of 100 cd/m2, a background with Y = 20, and complete adaptation.
+        let white = white.scaled(scale);
+        let viewing = ViewingConditions::of::<Portable>(white, 100.0, 100.0, 0.2, Surround::Average, 1.0);
+        Ok(Judge { eye, viewing })
     }
 
     /// Returns the appearance of a sample. (Samples are tabulated over 380..=780 nm, the middle of the
     /// observer's grid.)
-    fn looks_at(&self, sample: &[f32; 401]) -> Cam02Ucs {
+    fn looks_at(&self, sample: &[f32; 401]) -> CamUcs {
         let mut fine = Fine::flat(0.0);
         if let Some(middle) = fine.values_mut().get_mut(20..).and_then(|rest| rest.first_chunk_mut()) {
             *middle = *sample;
         }
-        self.viewing.appearance(Xyz::from(self.eye.sees(&fine)))
+        self.viewing.ucs_or_nan::<Portable>(Xyz::from(self.eye.sees(&fine)))
     }
 }
 
@@ -194,7 +196,7 @@ struct Bin {
 }
 
 impl Bin {
-    fn add(&mut self, test: Cam02Ucs, reference: Cam02Ucs, difference: f32) {
+    fn add(&mut self, test: CamUcs, reference: CamUcs, difference: f32) {
         self.test = [self.test[0] + test.a, self.test[1] + test.b];
         self.reference = [self.reference[0] + reference.a, self.reference[1] + reference.b];
         self.difference += difference;
