@@ -86,7 +86,7 @@
 //! # What is not there
 //!
 //! Files, text and plots (the program `nanospectra-cli` has them), spectra whose size is known only at run
-//! time, `f64` at run time, and color appearance beyond what TM-30 needs.
+//! time, and `f64` at run time.
 #![no_std]
 // On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating system,
 // which that label leaves out.

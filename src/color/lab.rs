@@ -212,7 +212,7 @@ impl Lch {
 }
 
 /// Returns the angle of (a, b) in turns, at least 0 and below 1; it is 0 for a gray.
-fn hue_turns<M: Math>(a: f32, b: f32) -> f32 {
+pub(in crate::color) fn hue_turns<M: Math>(a: f32, b: f32) -> f32 {
     if a == 0.0 && b == 0.0 {
         return 0.0; // atan2 would distinguish +0 and -0
     }

@@ -31,6 +31,7 @@
 //! | dominant wavelength and purity | [`dominant_wavelength()`] |
 //! | CIELAB, CIELUV, Oklab | [`Xyz::lab`], [`Xyz::luv`], [`Xyz::oklab`] |
 //! | color difference | [`Xyz::delta_e`], [`ciede2000()`], [`cie76()`], [`cie94()`], [`cmc()`], [`hyab()`] |
+//! | appearance in a scene, by CIECAM02 or CAM16 | [`ViewingConditions`] |
 //! | the corresponding color under another white | [`Adaptation`] |
 //! | a pixel, and its way into the gamut | [`Rgb`], [`EncodedRgb`], [`GamutMapped`] |
 //! | color rendering of a lamp | [`cri()`], [`tm30()`] |
@@ -49,6 +50,7 @@ mod ciede2000;
 mod difference;
 
 mod adaptation;
+mod appearance;
 
 mod rgb;
 mod rgb_bands;
@@ -57,8 +59,6 @@ pub mod transfer;
 
 mod gamut;
 
-#[cfg(feature = "libm")]
-mod cam02ucs;
 #[cfg(feature = "libm")]
 mod cri;
 #[cfg(feature = "libm")]
@@ -70,6 +70,7 @@ mod tm30;
 
 pub use crate::tristimulus::{Uv1960, Uv1976, Xy, Xyz};
 pub use adaptation::{Adaptation, Bradford, Cat02, Cat16, ConeResponses, VonKries};
+pub use appearance::{Appearance, AppearanceModel, Cam16, CamUcs, Ciecam02, Surround, ViewingConditions};
 pub use cct::Cct;
 #[cfg(feature = "libm")]
 pub use ciede2000::ciede2000;

@@ -1,8 +1,7 @@
 //! Color fidelity and gamut by ANSI/IES TM-30-18; its fidelity is that of CIE 224.
 
-use crate::color::Xyz;
-use crate::color::cam02ucs::{Cam02Ucs, Viewing};
 use crate::color::reference::{RenderingError, daylight, planckian, temperature};
+use crate::color::{CamUcs, Ciecam02, Surround, ViewingConditions, Xyz};
 use crate::math::{Math, Portable, sqrt};
 use crate::observer::{CIE_1931, CIE_1964};
 use crate::spectrum::{Fine, Power};
@@ -100,7 +99,7 @@ pub struct HueBin {
 pub fn tm30(light: &Fine<Power>) -> Result<Tm30, RenderingError> {
     let (cct_k, duv) = temperature_within(light)?;
     // The light first, and then its reference, so that only one observer is on the stack.
-    let (mut test, mut standard) = ([Cam02Ucs::default(); 99], [Cam02Ucs::default(); 99]);
+    let (mut test, mut standard) = ([CamUcs::default(); 99], [CamUcs::default(); 99]);
     look(light, &mut test)?;
     look_under_reference(cct_k, &mut standard)?;
 
@@ -149,7 +148,7 @@ fn temperature_within(light: &Fine<Power>) -> Result<(f32, f32), RenderingError>
 
 /// Computes how the samples look under the reference light of this temperature.
 #[inline(never)]
-fn look_under_reference(cct_k: f32, colors: &mut [Cam02Ucs; 99]) -> Result<(), RenderingError> {
+fn look_under_reference(cct_k: f32, colors: &mut [CamUcs; 99]) -> Result<(), RenderingError> {
     let mut light = Fine::flat(0.0);
     reference(cct_k, &mut light);
     look(&light, colors)
@@ -195,7 +194,7 @@ fn middle(row: &[f32; 471]) -> &[f32; RANGE] {
 /// The weights of the observer begin at 380 nm, where the CIE's grid has 20 nm before. That is a multiple of four,
 /// and so the eight partial sums of a row are only swapped in pairs that are added up first: no bit changes.
 #[inline(never)]
-fn look(light: &Fine<Power>, colors: &mut [Cam02Ucs; 99]) -> Result<(), RenderingError> {
+fn look(light: &Fine<Power>, colors: &mut [CamUcs; 99]) -> Result<(), RenderingError> {
     let mut eye = [[0.0; RANGE]; 3];
     for (weights, row) in eye.iter_mut().zip(CIE_1964.weights()) {
         for (weight, (row, light)) in weights.iter_mut().zip(middle(row).iter().zip(middle(light.values()))) {
@@ -210,9 +209,12 @@ fn look(light: &Fine<Power>, colors: &mut [Cam02Ucs; 99]) -> Result<(), Renderin
     for weight in eye.as_flattened_mut() {
         *weight *= scale;
     }
-    let viewing = Viewing::new(white.scaled(scale));
+    // An adapting luminance of 100 cd/m2, a background with Y = 20, and complete adaptation.
+    let white = white.scaled(scale);
+    let viewing =
+        ViewingConditions::<Ciecam02>::of::<Portable>(white, 100.0, 100.0, 0.2, Surround::Average, 1.0);
     for (color, sample) in colors.iter_mut().zip(&CES) {
-        *color = viewing.appearance(Xyz::from(sum::rows(&eye, sample.values())));
+        *color = viewing.ucs_or_nan::<Portable>(Xyz::from(sum::rows(&eye, sample.values())));
     }
     Ok(())
 }
@@ -227,7 +229,7 @@ struct Bin {
 }
 
 impl Bin {
-    fn add(&mut self, test: Cam02Ucs, reference: Cam02Ucs, difference: f32) {
+    fn add(&mut self, test: CamUcs, reference: CamUcs, difference: f32) {
         self.test = [self.test[0] + test.a, self.test[1] + test.b];
         self.reference = [self.reference[0] + reference.a, self.reference[1] + reference.b];
         self.difference += difference;

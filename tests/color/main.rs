@@ -1,5 +1,6 @@
 //! What a spectrum means: chromaticity, color temperature, color spaces, differences, rendering.
 
+mod appearance;
 mod cct;
 mod differences;
 mod rendering;

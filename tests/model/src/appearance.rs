@@ -1,4 +1,4 @@
-//! CIECAM02 and its uniform space CAM02-UCS, which TM-30 measures in. Average surround.
+//! CIECAM02 and CAM16 with their uniform spaces; TM-30 measures in CAM02-UCS.
 
 use super::linear::{Matrix3, apply, inverse};
 
@@ -6,7 +6,15 @@ const CAT02: Matrix3 = [[0.7328, 0.4296, -0.1624], [-0.7036, 1.6975, 0.0061], [0
 const HUNT_POINTER_ESTEVEZ: Matrix3 =
     [[0.38971, 0.68898, -0.07868], [-0.22981, 1.18340, 0.04641], [0.0, 0.0, 1.0]];
 
-/// What the color is seen in; the white has Y = 100.
+const CAT16: Matrix3 =
+    [[0.401288, 0.650173, -0.051461], [-0.250268, 1.204414, 0.045854], [-0.002079, 0.048952, 0.953127]];
+
+/// F, c and Nc of the surround.
+pub const AVERAGE: [f64; 3] = [1.0, 0.69, 1.0];
+pub const DIM: [f64; 3] = [0.9, 0.59, 0.9];
+pub const DARK: [f64; 3] = [0.8, 0.525, 0.8];
+
+/// What the color is seen in; a perfect white surface has Y = 100.
 #[derive(Clone, Copy, Debug)]
 pub struct Viewing {
     pub white: [f64; 3],
@@ -16,10 +24,12 @@ pub struct Viewing {
     pub yb: f64,
     /// Degree of adaptation, 0 to 1.
     pub d: f64,
+    /// F, c and Nc.
+    pub surround: [f64; 3],
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct Ciecam02 {
+pub struct Seen {
     pub lightness: f64,
     pub chroma: f64,
     pub hue_deg: f64,
@@ -28,25 +38,33 @@ pub struct Ciecam02 {
     pub colorfulness: f64,
 }
 
-/// The degree of adaptation the model computes for an average surround.
-pub fn degree_of_adaptation(la: f64) -> f64 {
-    1.0 - (-(la + 42.0) / 92.0).exp() / 3.6
+/// The degree of adaptation the model computes for a surround.
+pub fn degree_of_adaptation(la: f64, surround: [f64; 3]) -> f64 {
+    surround[0] * (1.0 - (-(la + 42.0) / 92.0).exp() / 3.6)
 }
 
-pub fn ciecam02(xyz: [f64; 3], viewing: Viewing) -> Ciecam02 {
-    let Viewing { white, la, yb, d } = viewing;
-    let (c, nc) = (0.69, 1.0);
+pub fn ciecam02(xyz: [f64; 3], viewing: Viewing) -> Seen {
+    seen(xyz, viewing, CAT02, |adapted| apply(HUNT_POINTER_ESTEVEZ, apply(inverse(CAT02), adapted)))
+}
+
+pub fn cam16(xyz: [f64; 3], viewing: Viewing) -> Seen {
+    seen(xyz, viewing, CAT16, |adapted| adapted)
+}
+
+/// NaN where a number below a root is negative.
+fn seen(xyz: [f64; 3], viewing: Viewing, cat: Matrix3, compressed: fn([f64; 3]) -> [f64; 3]) -> Seen {
+    let Viewing { white, la, yb, d, surround: [_, c, nc] } = viewing;
     let k = 1.0 / (5.0 * la + 1.0);
     let fl = 0.2 * k.powi(4) * 5.0 * la + 0.1 * (1.0 - k.powi(4)).powi(2) * (5.0 * la).cbrt();
     let n = yb / white[1];
     let z = 1.48 + n.sqrt();
     let nbb = 0.725 * n.powf(-0.2);
 
-    let cone_white = apply(CAT02, white);
+    let cone_white = apply(cat, white);
     let compress = |xyz: [f64; 3]| -> [f64; 3] {
-        let cone = apply(CAT02, xyz);
+        let cone = apply(cat, xyz);
         let adapted = [0, 1, 2].map(|i| (d * white[1] / cone_white[i] + 1.0 - d) * cone[i]);
-        apply(HUNT_POINTER_ESTEVEZ, apply(inverse(CAT02), adapted)).map(|v| {
+        compressed(adapted).map(|v| {
             let p = (fl * v.abs() / 100.0).powf(0.42);
             v.signum() * 400.0 * p / (27.13 + p) + 0.1
         })
@@ -64,7 +82,7 @@ pub fn ciecam02(xyz: [f64; 3], viewing: Viewing) -> Ciecam02 {
     let chroma = t.powf(0.9) * (lightness / 100.0).sqrt() * (1.64 - 0.29f64.powf(n)).powf(0.73);
     let colorfulness = chroma * fl.powf(0.25);
     let brightness = 4.0 / c * (lightness / 100.0).sqrt() * (white_response + 4.0) * fl.powf(0.25);
-    Ciecam02 {
+    Seen {
         lightness,
         chroma,
         hue_deg: hue.to_degrees().rem_euclid(360.0),
@@ -76,7 +94,11 @@ pub fn ciecam02(xyz: [f64; 3], viewing: Viewing) -> Ciecam02 {
 
 /// J', a', b' of CAM02-UCS.
 pub fn cam02_ucs(xyz: [f64; 3], viewing: Viewing) -> [f64; 3] {
-    let seen = ciecam02(xyz, viewing);
+    uniform(ciecam02(xyz, viewing))
+}
+
+/// J', a', b' of CAM02-UCS or CAM16-UCS.
+pub fn uniform(seen: Seen) -> [f64; 3] {
     let j = 1.7 * seen.lightness / (1.0 + 0.007 * seen.lightness);
     let m = (1.0 + 0.0228 * seen.colorfulness).ln() / 0.0228;
     let (sin, cos) = seen.hue_deg.to_radians().sin_cos();

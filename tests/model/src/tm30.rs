@@ -1,6 +1,6 @@
 //! ANSI/IES TM-30-18, whose Rf is CIE 224:2017.
 
-use super::appearance::{Viewing, cam02_ucs};
+use super::appearance::{AVERAGE, Viewing, cam02_ucs};
 use super::cct::{Cct, cct};
 use super::chromaticity::uv1960;
 use super::cri::Mode;
@@ -107,7 +107,7 @@ impl Method {
     fn seen_under(&self, light: &[f64]) -> Vec<[f64; 3]> {
         let k = 100.0 / dot(light, &self.cmf_1964[1]);
         let white = [0, 1, 2].map(|c| k * dot(light, &self.cmf_1964[c]));
-        let viewing = Viewing { white, la: 100.0, yb: 20.0, d: 1.0 };
+        let viewing = Viewing { white, la: 100.0, yb: 20.0, d: 1.0, surround: AVERAGE };
         self.samples
             .iter()
             .map(|sample| cam02_ucs(xyz_of_surface(sample, light, &self.cmf_1964), viewing))

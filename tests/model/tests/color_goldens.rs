@@ -2,7 +2,7 @@
 //! spaces: every golden it can compute, every row, at the digits printed.
 
 use model::adaptation::{cmccat2000_degree, matrix, partial_matrix, zhai};
-use model::appearance::{Viewing, ciecam02, degree_of_adaptation};
+use model::appearance::{AVERAGE, Viewing, cam16, ciecam02, degree_of_adaptation, uniform};
 use model::check::Check;
 use model::chromaticity::{uv1960, uv1976, xy, xyz_from_xy};
 use model::csv::golden;
@@ -135,10 +135,16 @@ fn dominant_wavelengths_agree_away_from_the_kinks_of_the_locus() {
 #[test]
 fn color_spaces_agree() {
     let mut check = Check::new("12 color spaces", 1e-12, 1e-12);
-    let mut appearance = Check::new("12 CIECAM02", 1e-11, 1e-11);
+    let mut appearance = Check::new("12 CIECAM02 and CAM16", 1e-11, 1e-11);
     let white = xyz_from_xy(D65, 1.0);
     let (viewing_white, la) = (white.map(|v| 100.0 * v), 200.0 / std::f64::consts::PI);
-    let viewing = Viewing { white: viewing_white, la, yb: 20.0, d: degree_of_adaptation(la) };
+    let viewing = Viewing {
+        white: viewing_white,
+        la,
+        yb: 20.0,
+        d: degree_of_adaptation(la, AVERAGE),
+        surround: AVERAGE,
+    };
     for row in golden("12_color_spaces").rows() {
         let xyz = row.numbers(["X", "Y", "Z"]);
         check.cells(row, ["x", "y"], xy(xyz));
@@ -155,20 +161,23 @@ fn color_spaces_agree() {
                 check.cell(row, &format!("{}:{channel}", space.name), value);
             }
         }
-        let seen = ciecam02(xyz.map(|v| 100.0 * v), viewing);
-        for (name, value) in [
-            ("J", seen.lightness),
-            ("C", seen.chroma),
-            ("h", seen.hue_deg),
-            ("s", seen.saturation),
-            ("Q", seen.brightness),
-            ("M", seen.colorfulness),
-        ] {
-            appearance.cell(row, &format!("CIECAM02:{name}"), value);
+        let xyz = xyz.map(|v| 100.0 * v);
+        for (model, seen) in [("CIECAM02", ciecam02(xyz, viewing)), ("CAM16", cam16(xyz, viewing))] {
+            for (name, value) in [
+                ("J", seen.lightness),
+                ("C", seen.chroma),
+                ("h", seen.hue_deg),
+                ("s", seen.saturation),
+                ("Q", seen.brightness),
+                ("M", seen.colorfulness),
+            ] {
+                appearance.cell(row, &format!("{model}:{name}"), value);
+            }
         }
+        appearance.cells(row, ["CAM16UCS_J", "CAM16UCS_a", "CAM16UCS_b"], uniform(cam16(xyz, viewing)));
     }
     check.finish(289 * (18 + 21));
-    appearance.finish(289 * 6);
+    appearance.finish(289 * (2 * 6 + 3));
 }
 
 #[test]
