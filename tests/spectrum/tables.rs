@@ -108,7 +108,10 @@ fn sources_md_lists_every_file_with_its_rows_and_checksum() {
     let mut listed = BTreeSet::new();
     for line in sources.lines().filter(|line| line.contains(".csv |")) {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-        let [file, name, publication, _doi, rows, checksum] = cells[..] else { panic!("{line}") };
+        let [file, name, publication, doi, license, check, rows, checksum] = cells[..] else {
+            panic!("not eight cells: {line}")
+        };
+        assert!(cells.iter().all(|cell| !cell.is_empty()), "an empty cell: {line}");
         let bytes = std::fs::read(tables.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
         let text = String::from_utf8(bytes.clone()).expect("a CSV is text");
         assert!(text.contains(&format!("# name: {name}\n")), "{file}: the name is not the header's");
@@ -116,6 +119,16 @@ fn sources_md_lists_every_file_with_its_rows_and_checksum() {
             text.contains(&format!("# source: {publication}\n")),
             "{file}: the source is not the header's"
         );
+        assert!(
+            doi == "none" || doi.starts_with("10.25039/CIE.DS.") == (license == "CC BY-SA 4.0"),
+            "{file}: the CIE publishes under one license"
+        );
+        let told = text.contains(&format!("# doi: {doi}\n")) || !doi.starts_with("10.25039");
+        assert!(told, "{file}: the DOI is not the header's");
+        let licensed = text.lines().any(|line| line.starts_with("# license: ") && line.contains(license));
+        assert!(licensed, "{file}: the license is not the header's");
+        let kinds = ["bytes of CIE_", "sums of CIE_", "made again", "golden 08"];
+        assert!(kinds.iter().any(|kind| check.starts_with(kind)), "{file}: no such check: {check}");
         // One line of the data is the row of names.
         let data = text.lines().filter(|line| !line.starts_with('#')).count() - 1;
         assert_eq!(data.to_string(), rows, "{file}: rows");
@@ -123,7 +136,7 @@ fn sources_md_lists_every_file_with_its_rows_and_checksum() {
         assert!(listed.insert(file.to_string()), "{file} is listed twice");
     }
     let mut shipped = BTreeSet::new();
-    for folder in ["cmf", "illuminants", "samples"] {
+    for folder in ["cmf", "illuminants", "samples", "upsample"] {
         for entry in std::fs::read_dir(tables.join(folder)).expect("a folder of tables") {
             let name = entry.expect("an entry").file_name();
             shipped.insert(format!("{folder}/{}", name.to_str().expect("a plain name")));
@@ -131,6 +144,32 @@ fn sources_md_lists_every_file_with_its_rows_and_checksum() {
     }
     assert_eq!(listed, shipped);
     assert_eq!(fnv1a(b"foobar"), 0x85944171f73967e8, "the published test vector of FNV-1a");
+}
+
+/// The CIE publishes the sum of each column of its tables, to check copies by.
+#[test]
+fn every_column_has_the_sum_that_the_cie_publishes() {
+    let sources = include_str!("../../tables/SOURCES.md");
+    let (mut files, mut columns) = (0, 0);
+    for row in golden("cie_published_sums").rows() {
+        let (file, published) = (row.text("file"), row.text("published"));
+        let said = sources.lines().find(|line| line.starts_with(&format!("| {file} |")));
+        assert!(
+            said.is_some_and(|line| line.contains(&format!(" of {published} |"))),
+            "{file} in SOURCES.md"
+        );
+        let table = model::csv::table(file);
+        let names = std::iter::once("wavelength_nm").chain(table.names().iter().map(String::as_str));
+        let sums: Vec<f64> = row.text("sums").split(' ').map(|sum| sum.parse().expect("a sum")).collect();
+        assert_eq!(sums.len(), table.names().len() + 1, "{file}: columns");
+        for (name, sum) in names.zip(sums) {
+            let own: f64 = table.column(name).iter().sum();
+            assert!((own - sum).abs() <= 1e-12 * sum.abs(), "{file} {name}: {own}, the CIE has {sum}");
+            columns += 1;
+        }
+        files += 1;
+    }
+    assert_eq!((files, columns), (27, 255));
 }
 
 #[test]
