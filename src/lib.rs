@@ -66,7 +66,8 @@
 //! # Conventions in brief
 //!
 //! * Wavelengths are in nm. XYZ has Y = 100 for a perfect white surface and for relative lights.
-//! * NaN in gives NaN out. Nothing panics, except indexing a spectrum beyond its end.
+//! * NaN in gives NaN out. Nothing panics, except indexing a spectrum beyond its end, and a wrong table of
+//!   [`responsivities`](sensor::responsivities) that stops the build.
 //! * A quantity that has no value is `None` or a variant of an enum, never a wrong number.
 //! * Every finite result has the same bits on every target, with every feature.
 //!

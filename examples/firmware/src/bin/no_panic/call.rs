@@ -12,10 +12,10 @@ pub trait Call<A> {
 
 macro_rules! call_with {
     ($($argument:ident)*) => {
-        impl<F: Fn($($argument),*) -> R, R, $($argument),*> Call<($($argument,)*)> for F {
-            type Output = R;
+        impl<Of: Fn($($argument),*) -> Out, Out, $($argument),*> Call<($($argument,)*)> for Of {
+            type Output = Out;
 
-            fn call(self) -> R {
+            fn call(self) -> Out {
                 self($(any::<$argument>()),*)
             }
         }
@@ -27,7 +27,9 @@ call_with!(A B);
 call_with!(A B C);
 call_with!(A B C D);
 call_with!(A B C D E);
-call_with!(A B C D E F1);
+call_with!(A B C D E F);
+call_with!(A B C D E F G);
+call_with!(A B C D E F G H);
 
 /// Stands for any value of a type.
 fn any<T>() -> T {
