@@ -5,7 +5,7 @@
 //! lie half way between the wavelengths; that keeps every average.
 
 /// The heading above the wavelengths of averages.
-pub const HEADING: &str = "band_nm";
+pub const HEADING: &str = "band-nm";
 
 /// Returns the edges of the bands around these wavelengths, of which there are at least two: one more than these.
 ///

@@ -16,7 +16,7 @@ Input:
   Nothing is sorted, dropped or guessed. If something is wrong, the program ends with exit code 2
   and one line that says where it is, what it is and what to do. All input is checked before
   anything is printed, so that a report is never cut short.
-  A heading that begins with 'band_nm' and not with 'nm' says that the values are averages over bands
+  A heading that begins with 'band-nm' and not with 'nm' says that the values are averages over bands
   around the wavelengths, whose edges lie half way between these. 'paint --csv' prints such a table.
   Spectra without a heading are named after their file: FILE, or FILE:1, FILE:2 and so on.
   --light takes the name of a CIE illuminant first; write ./A for a file that is called A.

@@ -85,7 +85,7 @@ pub struct Args {
     pub json: bool,
 
     /// Print the spectra as a table, with a column for each color, which 'nanospectra measure --reflectance -' reads.
-    /// The values are averages over bands around the wavelengths, as the heading 'band_nm' says
+    /// The values are averages over bands around the wavelengths, as the heading 'band-nm' says
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 

@@ -89,13 +89,13 @@ fn averages_of_a_light_end_at_the_outer_edges() {
     let model = &MEASURE.json_with(&format!("nm,a\n{steps}"), &["--unit", "absolute", "-"])[0];
     for key in ["lux", "ppfd", "cct_k"] {
         assert_near(
-            &light("band_nm")[key],
+            &light("band-nm")[key],
             model[key].as_f64().expect("a number"),
             1e-9 * model[key].as_f64().expect("a number").abs(),
         );
-        assert_ne!(light("nm")[key], light("BAND_NM")[key]);
+        assert_ne!(light("nm")[key], light("BAND-NM")[key]);
     }
-    assert!(light("band_nm")["notes"].to_string().contains("averages over bands"));
+    assert!(light("band-nm")["notes"].to_string().contains("averages over bands"));
 }
 
 /// A scene reads the same table, as a surface.
@@ -135,6 +135,6 @@ fn names_in_a_table_are_no_formulas() {
         assert_eq!(cell(name), expected);
     }
     let table = PAINT.says(&["--csv", "--rgb", "-0.1,0.5,0.4"]);
-    let heading = table.lines().find(|line| line.starts_with("band_nm")).expect("a heading");
-    assert_eq!(heading, "band_nm,srgb -0.1 0.5 0.4");
+    let heading = table.lines().find(|line| line.starts_with("band-nm")).expect("a heading");
+    assert_eq!(heading, "band-nm,srgb -0.1 0.5 0.4");
 }

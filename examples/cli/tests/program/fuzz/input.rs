@@ -73,7 +73,7 @@ fn table(dice: &mut Dice, columns: usize) -> String {
     let mut text = String::new();
     if !dice.once_in(4) {
         let names: String = (0..columns).map(|k| format!("{mark}s{k}")).collect();
-        text += &format!("{}{names}\n", dice.of(&["nm", "band_nm"]));
+        text += &format!("{}{names}\n", dice.of(&["nm", "band-nm"]));
     }
     // A row may be the same everywhere, or a line at one wavelength.
     let only = dice.once_in(6).then(|| dice.below(20));
@@ -315,7 +315,9 @@ fn sensor(dice: &mut Dice, run: &mut Run) {
     for row in 0..1 + dice.below(12) {
         let time: f64 = start * f64::from(u8::from(!dice.once_in(30))) + step * row as f64;
         let set = fixed.clone().unwrap_or_else(|| settings(chip, dice, mood));
-        let mut cells = vec![format!("{time:e}"), dice.of(&["a", "a", "b"]).to_owned()];
+        // A time is echoed as it stands, whatever it is.
+        let time = if time.is_finite() { format!("{time:e}") } else { "later".into() };
+        let mut cells = vec![time, dice.of(&["a", "a", "b"]).to_owned()];
         cells.extend(set);
         for _ in 0..channels.len() * (1 + usize::from(has_dark)) {
             let count = if wild { dice.number(mood) } else { dice.below(5000).to_string() };
