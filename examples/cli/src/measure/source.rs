@@ -52,9 +52,9 @@ impl Source {
             return Err(self.wrong("every value is zero; measure again with the lamp on"));
         }
         // A power of two does not change how values are rounded to f32. It is applied in two steps, since
-        // 2^1074 would overflow.
+        // 2^1074 would overflow. (`powi` computes 2^-1074 as 1 / 2^1074, which would be 0.)
         let half = (peak.log2() / 2.0).floor() as i32;
-        let (up, scale) = (f64::powi(2.0, -half), f64::powi(2.0, 2 * half));
+        let (up, scale) = (f64::powi(2.0, -half), f64::powi(2.0, half).powi(2));
         let power = self.fine(by, |value| value * up * up)?;
         if power.values().iter().all(|value| *value == 0.0) {
             return Err(self.wrong(

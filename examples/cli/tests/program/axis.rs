@@ -22,7 +22,8 @@ fn ends() -> impl Strategy<Value = (f64, f64)> {
         (finite(), finite()),
         finite().prop_map(|end| (end, end)),
         finite().prop_map(|end| (end, if end == f64::MAX { end.next_down() } else { end.next_up() })),
-        (finite(), -1e-3..1e-3).prop_map(|(end, share)| (end, (end - end * share).clamp(f64::MIN, f64::MAX))),
+        (finite(), -1e-3..1e-3_f64)
+            .prop_map(|(end, share)| (end, (end - end * share).clamp(f64::MIN, f64::MAX))),
     ]
 }
 

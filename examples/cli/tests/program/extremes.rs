@@ -38,6 +38,20 @@ fn spectra_of_every_size_are_drawn() {
 }
 
 #[test]
+fn lights_of_every_size_have_a_level() {
+    let lux = |size: &str| {
+        let table = format!("nm,a\n380,{size}\n780,{size}\n");
+        crate::run::number(&MEASURE.json_with(&table, &["--unit", "absolute", "-"])[0]["lux"])
+    };
+    let one = lux("1");
+    for (size, value) in
+        [("1e-310", 1e-310), ("1e-300", 1e-300), ("1e-45", 1e-45), ("1e39", 1e39), ("1e300", 1e300)]
+    {
+        assert!((lux(size) / value / one - 1.0).abs() < 1e-6, "{size}: {} is not {}", lux(size), one * value);
+    }
+}
+
+#[test]
 fn colors_too_large_for_a_spectrum_are_refused() {
     let directory = PAINT.scratch("large");
     let svg = directory.to_str().expect("UTF-8");
