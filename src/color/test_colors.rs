@@ -71,8 +71,11 @@ pub(super) fn under(light: &Fine<Power>) -> Colors {
             if let Some(rest) = fresh.get_mut(light.len()..) {
                 rest.fill(0.0);
             }
-            for (node, sample) in on_nodes(&cells).iter().zip(samples) {
-                add(sums, *node, sample);
+            // Sums of eleven nodes are added up: a hundred terms one after the other would lose digits.
+            for (samples, at) in samples.chunks(11).zip(on_nodes(&cells).chunks(11)) {
+                let mut part = [0.0; 16];
+                samples.iter().zip(at).for_each(|(sample, at)| add(&mut part, *at, sample));
+                add(sums, 1.0, &part);
             }
         }
     }

@@ -3,6 +3,7 @@
 mod appearance;
 mod cct;
 mod differences;
+mod held_out;
 mod rendering;
 mod rgb_and_adaptation;
 mod spaces;
