@@ -54,7 +54,7 @@ impl core::error::Error for RenderingError {}
 pub(super) fn temperature(light: &Fine<Power>) -> Result<(f32, f32), RenderingError> {
     let xyz = Xyz::from(CIE_1931.sees(light));
     let uv = xyz.uv1960().ok_or(RenderingError::Dark)?;
-    match uv.cct() {
+    match uv.fine_cct() {
         Cct::Near { cct_k, duv } if cct_k.is_finite() => Ok((cct_k, duv)),
         Cct::Near { .. } => Err(RenderingError::Dark),
         outcome => Err(RenderingError::NoReference(outcome)),

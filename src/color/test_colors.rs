@@ -51,8 +51,11 @@ const SHARES: [[f32; 6]; 4] = [quintic(0.2), quintic(0.4), quintic(0.6), quintic
 pub(super) fn under(light: &Fine<Power>) -> Colors {
     let mut colors = [[0.0; 16]; 3];
     for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {
-        for (sample, at) in SAMPLES.iter().zip(&on_nodes(light.values(), row)) {
-            add(sums, *at, sample);
+        // Nine sums of eleven nodes are added up: a hundred terms one after the other would lose digits.
+        for (samples, at) in SAMPLES.chunks_exact(11).zip(on_nodes(light.values(), row).chunks_exact(11)) {
+            let mut part = [0.0; 16];
+            samples.iter().zip(at).for_each(|(sample, at)| add(&mut part, *at, sample));
+            add(sums, 1.0, &part);
         }
     }
     colors

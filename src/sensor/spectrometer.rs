@@ -138,13 +138,18 @@ impl<const P: usize, const K: usize> PixelWavelengths<P, K> {
         self.at(pixel as f32)
     }
 
-    /// Returns the lower edge of pixel `pixel` in nm, half way to the pixel before it; `pixel` = `P` gives
-    /// the upper end of the last one.
+    /// Returns the lower edge of pixel `pixel` in nm; `pixel` = `P` gives the upper end of the last one.
+    ///
+    /// It is the polynomial half a pixel before, at `pixel` - 1/2 in the numbers from 0. Where the polynomial
+    /// bends, that is not exactly half way between the centers of two pixels.
     ///
     /// ```
     /// # use nanospectra::sensor::{FirstPixel, PixelWavelengths};
     /// let unit = PixelWavelengths::<100, 2>::new([400.0, 3.0], FirstPixel::Zero)?; // 400 nm, 403 nm ..
     /// assert_eq!((unit.nm(1), unit.edge_nm(1), unit.edge_nm(100)), (403.0, 401.5, 698.5));
+    /// // A scale that bends: 400, 403 and 408 nm, with edges at 401.25 and 405.25.
+    /// let bent = PixelWavelengths::<3, 3>::new([400.0, 2.0, 1.0], FirstPixel::Zero)?;
+    /// assert_eq!((bent.nm(0), bent.nm(1), bent.edge_nm(1)), (400.0, 403.0, 401.25));
     /// # Ok::<(), nanospectra::sensor::PixelWavelengthsError>(())
     /// ```
     #[must_use]

@@ -2,6 +2,7 @@
 
 mod cct;
 mod differences;
+mod held_out;
 mod rendering;
 mod rgb_and_adaptation;
 mod spaces;

@@ -97,6 +97,7 @@ fn lab_luv_and_oklab_of_any_color_agree() {
         "Luv of any color, model",
         "Oklab of any color, golden 12",
         "Oklab of any color, model",
+        "Lab by Fast, of any color",
     ]
     .map(check);
     let exact_white = model::chromaticity::xyz_from_xy([0.3127, 0.3290], 100.0);
@@ -113,6 +114,8 @@ fn lab_luv_and_oklab_of_any_color_agree() {
         all[3].add_all(&place, luv, model::lab::luv(wide(color), wide(D65)));
         all[4].add_all(&place, ok, row.numbers(["ok_L", "ok_a", "ok_b"]));
         all[5].add_all(&place, ok, model::lab::oklab(wide(color).map(|v| v / 100.0)));
+        let fast = lab_array(color.lab_with::<Fast>(D65).expect("a white"));
+        all[6].add_all(&place, fast, model::lab::lab(wide(color), wide(D65)));
     }
     all.into_iter().for_each(|check| check.tight(3 * 289));
 }

@@ -83,7 +83,7 @@ impl FixedXyz {
     /// `None` for black.
     ///
     /// # Accuracy
-    /// 0.13 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums
+    /// 0.1 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums
     /// above 2^20.
     ///
     /// # Cost

@@ -42,4 +42,5 @@ pub mod film;
 
 pub mod allowed;
 pub mod check;
+pub mod lamps;
 pub mod noise;
