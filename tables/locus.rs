@@ -7,7 +7,7 @@
 //!
 //! Color rendering compares a light with a reference of its temperature, and multiplies an error of the
 //! temperature. It has tables of many kilobytes anyway, and takes a locus with twice as many pieces, which is
-//! good for 0.001 mired.
+//! good for 0.0015 mired.
 
 use crate::table::Table;
 use std::fmt::Write as _;

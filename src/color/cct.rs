@@ -141,7 +141,7 @@ impl Uv1960 {
         self.nearest_of(&LOCUS)
     }
 
-    /// Finds the same to 0.001 mired, by a table of 784 bytes, for color rendering, which multiplies errors of
+    /// Finds the same to 0.0015 mired, by a table of 784 bytes, for color rendering, which multiplies errors of
     /// the temperature.
     pub(super) fn fine_cct(self) -> Cct {
         self.nearest_of(&FINE_LOCUS)

@@ -129,5 +129,5 @@ impl Judge {
 /// d = (1.708 v + 0.404 - 1.481 u) / v. Written in X, Y and Z they lose no digits.
 fn cd(p: Xyz) -> [f32; 2] {
     let (x, z) = (p.x / p.y, p.z / p.y);
-    [2.0 * z, 2.718 - 0.92 * x + 0.202 * z]
+    [2.0 * z, 1.708 + 1.01 - 0.92 * x + 0.202 * z]
 }

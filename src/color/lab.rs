@@ -92,7 +92,7 @@ impl Xyz {
     /// is zero in the CIE table, or if it is so small that the color is 8e34 times as large. NaN stays NaN.
     ///
     /// # Accuracy
-    /// 4e-5 on real colors, whether near gray or not (`tests/color/spaces.rs`); L\* is exactly
+    /// 5e-5 on real colors, whether near gray or not (`tests/color/spaces.rs`); L\* is exactly
     /// 0 for Y = 0 and 100 for the white.
     ///
     /// # Reference

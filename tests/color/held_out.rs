@@ -88,8 +88,9 @@ impl Rendering {
         ])
     }
 
-    /// Compares all indices of a light. Returns the errors of Ra, of R1 to R15, of Rf and of Rg.
-    fn compare(&mut self, place: &str, (light, exact): &Pair) -> Option<[f64; 4]> {
+    /// Compares all indices of a light. Returns the errors of Ra, of R1 to R15, of Rf, of Rg, and of the color
+    /// temperature in mired.
+    fn compare(&mut self, place: &str, (light, exact): &Pair) -> Option<[f64; 5]> {
         // At 5000 K the reference of the CRI changes by a jump, and rounding may decide on which side a light is.
         let right = self.cri.of_values(exact);
         if (right.cct.cct_k - 5000.0).abs() < 0.05 || !is_white(exact, DUV) {
@@ -97,7 +98,8 @@ impl Rendering {
         }
         let found = cri(light).unwrap_or_else(|error| panic!("{place}: {error}"));
         self.ra.value(place, found.ra.into(), right.ra);
-        let mut errors = [(f64::from(found.ra) - right.ra).abs(), 0.0, 0.0, 0.0];
+        let mired = (1e6 / f64::from(found.cct_k) - 1e6 / right.cct.cct_k).abs();
+        let mut errors = [(f64::from(found.ra) - right.ra).abs(), 0.0, 0.0, 0.0, mired];
         for (k, (found, right)) in found.r.iter().zip(right.r).enumerate() {
             // Below -100 the error grows with the difference of color.
             let error = (f64::from(*found) - right).abs() / ((100.0 - right) / 200.0).max(1.0);
@@ -146,6 +148,7 @@ fn worst_lamps() -> impl Iterator<Item = Lamp> {
 #[test]
 fn lamps_of_no_table_render_as_the_model_says() {
     let mut rendering = Rendering::of_any_lamp();
+    let mut mired = check("CCT of color rendering, mired");
     let mut noise = Noise(0x5eed_0f1a_3b5c_0001);
     let mut compared = 0;
     for kind in KINDS {
@@ -153,9 +156,12 @@ fn lamps_of_no_table_render_as_the_model_says() {
             let lamp = Lamp::drawn(kind, DUV, &mut noise);
             let place = |axis: &str| format!("{kind:?} {k} {axis}");
             let power = lamp.power();
-            compared += u32::from(
-                rendering.compare(&place("every nm"), &at_every_nanometer(power.clone())).is_some(),
-            );
+            if let Some([.., error]) =
+                rendering.compare(&place("every nm"), &at_every_nanometer(power.clone()))
+            {
+                compared += 1;
+                mired.value(&place("every nm"), error, 0.0);
+            }
             for axis in &AXES {
                 let place = place(&format!("{}..{} every {} nm", axis.from, axis.to, axis.step));
                 compared += u32::from(rendering.compare(&place, &on_axis(&power, axis)).is_some());
@@ -164,6 +170,7 @@ fn lamps_of_no_table_render_as_the_model_says() {
     }
     println!("{compared} lights compared");
     assert!(compared > 1800, "{compared}");
+    mired.tight_over_all();
     rendering.tight();
 }
 

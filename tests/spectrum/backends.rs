@@ -98,6 +98,23 @@ backend!(the_std_backend_is_near_f64 "Std" math::Std, turns to 1e6);
 #[cfg(feature = "micromath")]
 backend!(the_micromath_backend_is_as_far_off_as_its_page_says "Micromath" math::Micromath, turns to 1.0);
 
+/// Where a search over millions of pairs found the largest errors of `Fast`.
+#[test]
+fn the_worst_pairs_for_fast_are_within_what_it_says() {
+    let mut power = check("Fast powf at its worst");
+    for (x, y) in [(0.087_542_63_f32, 9.868_293_f32), (11.281_575, 9.619_881)] {
+        power.value(&format!("{x}, {y}"), math::Fast::powf(x, y).into(), f64::from(x).powf(y.into()));
+    }
+    power.tight(2);
+    let mut angle = check("Fast atan2 at its worst");
+    for (y, x) in
+        [(1.351_303_5_f32, 0.864_288_6_f32), (0.708_332_36, 0.450_712_68), (0.858_257_3, 0.543_158_9)]
+    {
+        angle.value(&format!("{y}, {x}"), math::Fast::atan2(y, x).into(), f64::from(y).atan2(x.into()));
+    }
+    angle.tight(3);
+}
+
 #[cfg(feature = "micromath")]
 #[test]
 fn micromath_is_not_for_color() {

@@ -74,11 +74,6 @@ pub fn mean(sizes: &[f64]) -> f64 {
     sizes.iter().sum::<f64>() / sizes.len() as f64
 }
 
-/// The largest size; empty if there is none.
-pub fn largest(sizes: impl IntoIterator<Item = f64>) -> Cell {
-    sizes.into_iter().max_by(f64::total_cmp).map_or(Cell::Nothing, Cell::figure)
-}
-
 /// For each choice (error, cost) the number of other choices that have a smaller error and cost no more.
 pub fn beaten(choices: &[(f64, f64)]) -> Vec<Cell> {
     let better = |&(error, cost): &(f64, f64)| {

@@ -20,10 +20,10 @@ macro_rules! of_each {
 }
 pub(crate) use of_each;
 
-/// Returns the cell of a largest error. `Std` differs in the last bits from platform to platform, so its
-/// errors are rounded up to two digits.
-pub fn error_of(backend: &str, error: f64) -> Cell {
-    if backend != "Std" || error <= 0.0 {
+/// Returns the cell of a largest error, which is rounded up to two digits, so that no error is larger than what is
+/// said. (`Std` differs in the last bits from platform to platform anyway.)
+pub fn error_of(error: f64) -> Cell {
+    if error <= 0.0 || !error.is_finite() {
         return Cell::figure(error);
     }
     let second_digit = 10f64.powf(error.log10().floor() - 1.0);

@@ -105,7 +105,7 @@ fn of<M: Math>(backend: &'static str, trials: &Trials, runs: usize) -> Vec<Vec<C
     let mut all = Vec::new();
     let mut add = |error: f64, time: f64| {
         let Some((name, word, unit)) = names.next() else { return };
-        let row = vec![Cell::key(name), Cell::key(backend), Cell::key(unit), error_of(backend, error)];
+        let row = vec![Cell::key(name), Cell::key(backend), Cell::key(unit), error_of(error)];
         all.push(priced(row, &on_record(word, backend), time));
     };
     let shifts = trials.bodies.iter().map(|&(kelvin, exact)| {
