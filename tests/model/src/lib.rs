@@ -43,3 +43,4 @@ pub mod film;
 pub mod allowed;
 pub mod check;
 pub mod noise;
+pub mod search;
