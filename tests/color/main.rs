@@ -1,5 +1,6 @@
 //! What a spectrum means: chromaticity, color temperature, color spaces, differences, rendering.
 
+mod any_color_at_all;
 mod cct;
 mod differences;
 mod rendering;
@@ -7,6 +8,7 @@ mod rgb_and_adaptation;
 mod spaces;
 mod textbook_slips;
 mod transfer;
+mod worst_colors;
 
 use nanospectra::color::Xyz;
 
