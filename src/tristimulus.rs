@@ -164,11 +164,13 @@ impl Xyz {
     /// ```
     #[must_use]
     pub fn xy(self) -> Option<Xy> {
-        let sum = self.x + self.y + self.z;
+        // A part of each, so that the sum is in range for every color.
+        let Xyz { x, y, z } = self.scaled(0.25);
+        let sum = x + y + z;
         if sum <= 0.0 {
             return None;
         }
-        Some(Xy { x: self.x / sum, y: self.y / sum })
+        Some(Xy { x: x / sum, y: y / sum })
     }
 
     /// Computes the coordinates u, v of the CIE 1960 diagram, in which color temperatures are found.
@@ -176,11 +178,13 @@ impl Xyz {
     /// The result is `None` for black. NaN stays NaN.
     #[must_use]
     pub fn uv1960(self) -> Option<Uv1960> {
-        let sum = self.x + 15.0 * self.y + 3.0 * self.z;
+        // A small part of each, so that the sum is in range for every color.
+        let Xyz { x, y, z } = self.scaled(1.0 / 32.0);
+        let sum = x + 15.0 * y + 3.0 * z;
         if sum <= 0.0 {
             return None;
         }
-        Some(Uv1960 { u: 4.0 * self.x / sum, v: 6.0 * self.y / sum })
+        Some(Uv1960 { u: 4.0 * x / sum, v: 6.0 * y / sum })
     }
 
     /// Computes the coordinates u', v' of the CIE 1976 diagram.

@@ -119,8 +119,13 @@ impl<const MU: usize, const PHI: usize> Hemisphere for Uniform<MU, PHI> {
 
 impl<const MU: usize, const PHI: usize> Hemisphere for Cosine<MU, PHI> {
     fn nodes(&self) -> impl Iterator<Item = Node> {
-        let rings = (0..MU).map(|ring| (sqrt((ring as f32 + 0.5) / MU as f32), 1.0 / MU as f32));
-        rings.flat_map(|(cosine, share)| ring::<PHI>(cosine, PI * share / cosine, PI * share))
+        let rings = (0..MU).map(|ring| {
+            let [below, middle, above] = [0.0, 0.5, 1.0].map(|part| sqrt((ring as f32 + part) / MU as f32));
+            // Between two circles of latitude lies 2 pi times the difference of their cosines. The difference
+            // of the roots is the share over their sum.
+            (middle, TAU / MU as f32 / (below + above))
+        });
+        rings.flat_map(|(cosine, solid_angle)| ring::<PHI>(cosine, solid_angle, PI / MU as f32))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Planck's law, in forms that hold in f32 from 1 K to 1e12 K.
 
-use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::math::{Math, at_most};
 
 /// The first radiation constant for radiance, 2 h c^2, in W m-2 sr-1 nm-1 (1024 nm)^5 (CODATA 2018).
 const C1_1024: f32 = 105_785.87;
@@ -24,8 +24,9 @@ const WIEN_NM_K: f32 = 2_897_771.955;
 /// an older constant.
 ///
 /// # Accuracy
-/// (3 x + 8) units of 2^-24, where x = hc / (lambda k T), which is what the rounding of `nm` and `kelvin`
-/// costs anyway. A radiance below 1e-38 is returned as 0.
+/// (3 x + 9) units of 2^-24, where x = hc / (lambda k T), which is what the rounding of `nm` and `kelvin`
+/// costs anyway. This holds for every `nm` and `kelvin` above 0. A radiance below 1e-38 is returned as 0, as
+/// is that of 0 K or at 0 nm. A negative `nm` or `kelvin` gives NaN.
 ///
 /// # Reference
 /// CODATA 2018.
@@ -51,22 +52,47 @@ pub fn blackbody(nm: f32, kelvin: f32) -> f32 {
 /// ```
 #[must_use]
 pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
-    // In units of 1024 nm, near the micrometer, the fifth power stays in range from gamma rays to radio. A
-    // unit that is a power of two causes no rounding, which would count five times.
+    // In units of 1024 nm, near the micrometer, the fifth power stays in range from x-rays to radio. A unit
+    // that is a power of two causes no rounding, which would count five times.
     let length = nm * (1.0 / 1024.0);
     let x = C2_NM / (nm * kelvin);
+    if !(1e-6..1e6).contains(&length) || !(1e-30..1e30).contains(&x) {
+        return far_radiance::<M>(length, kelvin);
+    }
     let scale = C1_1024 / (length * length * length * length * length);
     if x > 80.0 {
         // e^x overflows at 88.7. Two factors, each with half the exponent, reach down to 1e-38.
         let half = M::exp(-0.5 * x);
-        if half == 0.0 {
-            // For wavelengths shorter than gamma rays `scale` is infinite.
-            return 0.0;
-        }
-        let value = scale * half * half;
-        return if value < 1e-38 { 0.0 } else { value };
+        return flushed(scale * half * half);
     }
     scale / M::expm1(x)
+}
+
+/// Computes the radiance at wavelengths whose fifth power is out of range, or where x is.
+#[cold]
+fn far_radiance<M: Math>(length: f32, kelvin: f32) -> f32 {
+    if length < 0.0 || kelvin < 0.0 {
+        return f32::NAN;
+    }
+    if length == 0.0 || kelvin == 0.0 {
+        return length * kelvin; // 0, or NaN
+    }
+    let x = C2_NM / 1024.0 / length / kelvin;
+    if x > 80.0 {
+        // The radiance is C1 (e^(-x/5) / length)^5, where e^(-x/5) may itself be out of range.
+        let tenth = M::exp(-0.1 * x);
+        let fifth = if tenth == 0.0 { 0.0 } else { tenth / length * tenth };
+        return flushed(C1_1024 * (fifth * fifth) * (fifth * fifth) * fifth);
+    }
+    // The quotients rise or fall towards the result, so that none is out of range if the result is not. For
+    // the smallest x, e^x - 1 is x, and its product with the length depends on the temperature alone.
+    let first = if x < 1e-20 { C1_1024 / (C2_NM / 1024.0) * kelvin } else { C1_1024 / M::expm1(x) / length };
+    flushed(first / length / length / length / length)
+}
+
+/// Returns a radiance, or 0 where too few digits of it are left.
+fn flushed(value: f32) -> f32 {
+    if value < 1e-38 { 0.0 } else { value }
 }
 
 /// Returns the radiance of a black body at `nm` relative to that at 560 nm.
@@ -83,8 +109,9 @@ pub fn blackbody_with<M: Math>(nm: f32, kelvin: f32) -> f32 {
 /// ```
 ///
 /// # Accuracy
-/// (4 |dx| + 12) units of 2^-24, where dx is the difference of hc / (lambda k T) to its value at 560 nm. The
-/// result is 0 or infinite where the ratio itself is beyond f32, which happens at temperatures of some K.
+/// (4 |dx| + 14) units of 2^-24, where dx is the difference of hc / (lambda k T) to its value at 560 nm. This
+/// holds for every `nm` and `kelvin` above 0. The result is 0 or infinite only where the ratio itself is
+/// beyond f32, which happens at temperatures below 300 K. A negative `nm` or `kelvin` gives NaN.
 #[cfg(feature = "libm")]
 #[must_use]
 pub fn blackbody_relative(nm: f32, kelvin: f32) -> f32 {
@@ -103,8 +130,39 @@ pub(crate) fn relative<M: Math>(nm: f32, kelvin: f32, c2_nm: f32) -> f32 {
     let ratio = 560.0 / nm;
     let (x, x560) = (c2_nm / (nm * kelvin), c2_nm / (560.0 * kelvin));
     let dx = c2_nm / 560.0 * (nm - 560.0) / (nm * kelvin);
+    let is_usual = |x| (1e-30..1e30).contains(&x);
+    if !(1e-6..1e6).contains(&ratio) || !is_usual(x) || !is_usual(x560) || !(-80.0..80.0).contains(&dx) {
+        return far_relative::<M>(nm, c2_nm / kelvin);
+    }
     // B = l^-5 e^-x / (1 - e^-x), and the quotient of the two exponentials e^-x is e^dx.
     ratio * ratio * ratio * ratio * ratio * (M::expm1(-x560) / M::expm1(-x)) * M::exp(dx)
+}
+
+/// Computes the relative radiance where one of its factors may be out of range and their product is not.
+/// `length` is c2 / T, in nm.
+#[cold]
+fn far_relative<M: Math>(nm: f32, length: f32) -> f32 {
+    if nm < 0.0 || length < 0.0 {
+        return f32::NAN;
+    }
+    if nm == 0.0 {
+        return nm * at_most(length, f32::MAX); // 0, or NaN
+    }
+    let (ratio, length) = (560.0 / nm, at_most(length, f32::MAX));
+    let (x, x560) = (length / nm, length / 560.0);
+    // The quotient of both 1 - e^-x, times the ratio: 1 where both x are small, the ratio where they are
+    // large.
+    let planck = if x < 1e-20 { -M::expm1(-x560) / x560 } else { M::expm1(-x560) / M::expm1(-x) * ratio };
+    let dx = x560 * ((nm - 560.0) / nm);
+    // What remains is ratio^4 e^dx. Its square root is in range where the result is.
+    if dx.abs() < 80.0 {
+        let square = ratio * ratio;
+        return square * M::exp(dx) * planck * square;
+    }
+    let eighth = M::exp(0.125 * dx);
+    let fourth = if eighth == 0.0 { 0.0 } else { ratio * eighth * eighth };
+    let square = fourth * fourth;
+    if square == 0.0 { 0.0 } else { square * planck * square }
 }
 
 /// Returns the radiant exitance of a black body of the temperature `kelvin`, sigma T^4, in W/m2.

@@ -52,6 +52,7 @@ mod const_for;
 mod const_unwrap;
 mod double;
 mod fast;
+mod length;
 #[cfg(feature = "libm")]
 mod libm;
 mod limits;
@@ -71,6 +72,7 @@ pub use complex::Complex;
 pub(crate) use const_for::const_for;
 pub(crate) use double::Double;
 pub use fast::Fast;
+pub(crate) use length::length;
 pub(crate) use limits::{at_least, at_most};
 pub(crate) use operators::{assigning_operator, linear_operators, operator};
 pub(crate) use roots::sqrt_by_digits;

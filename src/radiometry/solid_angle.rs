@@ -92,7 +92,7 @@ pub fn sphere(radius_m: f32, distance_m: f32) -> f32 {
 /// At a distance of 0 it is 2 pi, half of all directions. For points beside the axis use [`disk_off_axis`].
 ///
 /// # Accuracy
-/// The relative error is at most 6 units of 2^-24.
+/// The relative error is at most 7 units of 2^-24.
 ///
 /// # Example
 /// ```
@@ -116,7 +116,7 @@ pub fn disk(radius_m: f32, distance_m: f32) -> f32 {
 /// At a distance of 0 it is 2 pi, half of all directions.
 ///
 /// # Accuracy
-/// The relative error is at most 5 units of 2^-24 while no length is more than 1e15 times another. Beyond
+/// The relative error is at most 6 units of 2^-24 while no length is more than 1e15 times another. Beyond
 /// that, the result for a narrow strip may become 0.
 ///
 /// # Example

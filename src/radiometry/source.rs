@@ -77,7 +77,9 @@ impl<V: Carried> SphereSource<V> {
     /// [example](Self#example).
     ///
     /// # Accuracy
-    /// The error is at most 4e-7 of the irradiance on a surface that faces the sphere.
+    /// The error is at most 7e-7 of the irradiance on a surface that faces the sphere, divided by the cosine
+    /// of the sphere's angular radius. This holds from 1.0001 radii on; nearer, rounding of the distance
+    /// decides whether the point lies within the sphere.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn irradiance(&self, point_m: [f32; 3], normal: [f32; 3]) -> Irradiance<V> {

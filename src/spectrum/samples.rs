@@ -69,7 +69,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
     ///
     /// # Accuracy
     /// A constant comes out as exactly that constant, at every `N`. Other spectra are within 2e-6 of the
-    /// largest sample (`tests/spectrum/any_spectrum.rs`).
+    /// largest sample, and 7e-5 of it divided by the width of a bin in nm, because the ends of the bins are
+    /// rounded to f32 (`tests/spectrum/worst_spectra.rs`).
     ///
     /// # Errors
     /// [`SamplesError`] if there are fewer than two samples, a number is not finite, or the wavelengths do

@@ -186,9 +186,6 @@ mod de00 {
             }
         }
         large.tight(6 * 3);
-        // Squares of 1e18 are within f32, those of 1e20 are not.
-        let of_size = |size| ciede2000(Lab::new(50.0, size, 0.0), Lab::new(50.0, 0.0, size));
-        assert!(of_size(1e18).is_finite() && !of_size(1e20).is_finite());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What a spectrum means: chromaticity, color temperature, color spaces, differences, rendering.
 
+mod any_color_at_all;
 mod appearance;
 mod cct;
 mod differences;
@@ -9,6 +10,7 @@ mod rgb_and_adaptation;
 mod spaces;
 mod textbook_slips;
 mod transfer;
+mod worst_colors;
 
 use nanospectra::color::Xyz;
 

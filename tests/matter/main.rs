@@ -1,5 +1,6 @@
 //! What light meets: surfaces, films, volumes, dyes, mirrors.
 
+mod any_matter_at_all;
 mod brdf;
 mod films;
 mod films_properties;
@@ -10,3 +11,4 @@ mod polarization;
 mod slab;
 mod surfaces_swept;
 mod volumes;
+mod worst_matter;

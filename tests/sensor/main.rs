@@ -11,6 +11,7 @@ mod readings;
 mod reconstruction;
 mod spectrometer;
 mod tables;
+mod worst_priors;
 
 use nanospectra::sensor::Calibration;
 

@@ -11,3 +11,4 @@ mod operators;
 mod reference;
 mod semantics;
 mod tables;
+mod worst_spectra;

@@ -48,8 +48,8 @@ impl<const N: usize, G> Mirror<N, G> {
     ///   of the light.
     ///
     /// Total reflection (`eta` below 1) has the right phase. An `eta` of 1 reflects nothing at any angle, nor
-    /// is light from behind (`cos_incidence` below 0) reflected. A cosine above 1 counts as 1, and an `eta`
-    /// above 1e15 as 1e15. See the [example](#example).
+    /// is light from behind (`cos_incidence` below 0) reflected. A cosine above 1 counts as 1, an `eta` below
+    /// 0 as 0, and one above 1e15 as 1e15. See the [example](#example).
     #[must_use]
     pub const fn dielectric(eta: &[f32; N], cos_incidence: f32, s_axis_turns: f32) -> Self {
         let mut elements = [[0.0; 4]; N];
@@ -147,7 +147,13 @@ const fn dielectric(eta: f32, cos: f32) -> [f32; 4] {
         return if cos.is_nan() { [f32::NAN; 4] } else { [0.0; 4] };
     }
     // Squares stay in the range of f32 up to here, and no real matter comes near.
-    let eta = if eta > 1e15 { 1e15 } else { eta };
+    let eta = if eta > 1e15 {
+        1e15
+    } else if eta < 0.0 {
+        0.0
+    } else {
+        eta
+    };
     let cos = if cos > 1.0 { 1.0 } else { cos };
     // Differences of squares, and the ratio of both amplitudes in place of the second one, do not cancel.
     let excess = (eta - 1.0) * (eta + 1.0);

@@ -52,9 +52,11 @@ impl<const N: usize, G: Bands> Retarder<N, G> {
     /// of their path differences. See the [example](#example).
     ///
     /// # Accuracy
-    /// The error is 5e-3 of the incident light in 31 bins of the default grid, and 1e-2 in 16 bins, for path
-    /// differences up to 1 mm. It is measured against the exact mean over each bin of a light that has the
-    /// same power at every wavelength (`tests/matter/polarization.rs`).
+    /// The error is 0.7 r^2 + 1.4e-6 w of the incident light, whatever its polarization. Here r is half the
+    /// width of the bin over its center, and w the number of waves, counted up to 1 / (6 r): the first term
+    /// comes from the width, the second from rounding. This makes 1.6e-4 in 31 bins of the default grid, and
+    /// 6e-4 in 16 bins, for path differences up to 1 mm. It is measured against the exact mean over each bin
+    /// of a light that has the same power at every wavelength (`tests/matter/worst_matter.rs`).
     #[must_use]
     pub const fn from_path_difference(path_difference_nm: f32, axis_turns: f32) -> Self
     where
@@ -63,12 +65,7 @@ impl<const N: usize, G: Bands> Retarder<N, G> {
         let mut elements = [[0.0; 4]; N];
         const_for!(0..N, |k| {
             let center = Spectrum::<Factor, N, G>::center_nm(k);
-            let (width, turns) = (Layout::<G, N>::STEP / center, path_difference_nm / center);
-            // The mean of 1 / wavelength over the bin, and half of its change from edge to edge.
-            let (mean, inner) = (turns + turns * (width * width / 12.0), 1.0 - 0.25 * width * width);
-            let half = if inner > 0.0 { 0.5 * turns * width / inner } else { f32::INFINITY };
-            let size = mean_of_waves(half);
-            elements[k] = [1.0, 0.0, size * cos_turns(mean), size * sin_turns(mean)];
+            elements[k] = mean_over_bin(path_difference_nm / center, 0.5 * Layout::<G, N>::STEP / center);
         });
         Retarder(Mueller::new(elements, axis_turns))
     }
@@ -83,13 +80,34 @@ impl<const N: usize, G> Retarder<N, G> {
     }
 }
 
-/// The mean of the cosine over `half_turns` to either side of zero.
-const fn mean_of_waves(half_turns: f32) -> f32 {
-    if half_turns == 0.0 {
-        1.0
-    } else if half_turns.is_infinite() {
-        0.0
-    } else {
-        sin_turns(half_turns) / (core::f32::consts::TAU * half_turns)
+/// The elements for a bin that reaches from 1 - `reach` to 1 + `reach` of its center, where the retardance is
+/// `turns`.
+///
+/// With the wavelength l in units of the center, s = 1 / l is 1 / (1 - reach^2) in the middle of its range,
+/// and the mean of e^(2 pi i turns s) over l is a mean over s with the weight s^-2. The weight is expanded
+/// in Legendre's polynomials, the first two of which bring the spherical Bessel functions j0 and j1.
+const fn mean_over_bin(turns: f32, reach: f32) -> [f32; 4] {
+    let inner = (1.0 - reach) * (1.0 + reach);
+    let middle = turns / inner;
+    let half = core::f32::consts::TAU * (middle * reach);
+    if inner <= 0.0 || half.is_infinite() {
+        // A bin that reaches to no wavelength, or has more waves than can be counted, mixes all phases.
+        return [1.0, 0.0, 0.0 * turns, 0.0 * turns];
     }
+    let [j0, j1] = bessel(half, middle * reach);
+    let (c, s, tilt) = (cos_turns(middle), sin_turns(middle), -2.0 * reach * j1);
+    // The mean is (j0 + i tilt) (c + i s).
+    [1.0, 0.0, j0 * c - tilt * s, j0 * s + tilt * c]
+}
+
+/// The spherical Bessel functions j0 and j1 of an angle, which is given in radians and in turns.
+const fn bessel(angle: f32, turns: f32) -> [f32; 2] {
+    if angle.abs() < 0.3 {
+        // The differences below would cancel.
+        let square = angle * angle;
+        let j0 = 1.0 - square * (1.0 / 6.0 - square / 120.0);
+        return [j0, angle * (1.0 / 3.0 - square * (1.0 / 30.0 - square / 840.0))];
+    }
+    let j0 = sin_turns(turns) / angle;
+    [j0, (j0 - cos_turns(turns)) / angle]
 }

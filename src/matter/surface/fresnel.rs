@@ -110,7 +110,7 @@ impl Dielectric {
     ///
     /// # Accuracy
     /// For s 14 units of 2^-24, relative, however little the media differ
-    /// (`tests/matter/hard_cases_surfaces.rs`), and for p 4e-7 absolute. Just below the critical angle the
+    /// (`tests/matter/hard_cases_surfaces.rs`), and for p 5.5e-7 absolute. Just below the critical angle the
     /// rounding of the cosine costs up to 1.2e-5.
     ///
     /// # Reference

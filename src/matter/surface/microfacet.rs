@@ -72,7 +72,7 @@ impl TrowbridgeReitz {
     /// It is 0 below the horizon. See the [example](#example).
     ///
     /// # Accuracy
-    /// 8 units of 2^-24 relative, at every alpha.
+    /// 11 units of 2^-24 relative, at every alpha.
     #[must_use]
     pub fn d(self, wm: Direction) -> f32 {
         if wm.cos_theta() <= 0.0 {
@@ -136,7 +136,10 @@ impl TrowbridgeReitz {
         let sine = sqrt((1.0 - share) * (1.0 + z) * (1.0 - z + height));
         let normal =
             [self.alpha * (x + sine * cos_turns(turns)), self.alpha * (y + sine * sin_turns(turns)), height];
-        Direction::from_vector(normal).unwrap_or(Direction::NORMAL)
+        // Facets without any height or width all face up, but NaN is no direction.
+        let none = normal.iter().any(|part| part.is_nan());
+        let otherwise = if none { Direction::unit(f32::NAN, f32::NAN, f32::NAN) } else { Direction::NORMAL };
+        Direction::from_vector(normal).unwrap_or(otherwise)
     }
 
     /// The area of the stretched facets as seen from `w`, sqrt(cos^2 + alpha^2 sin^2).

@@ -29,8 +29,8 @@ pub trait Reflector {
 
     /// Computes the reflectance for unpolarized light, 0..=1.
     ///
-    /// `cos_i` is the cosine of the angle of incidence; below 0 or above 1 it counts as the nearer end. See
-    /// the [example](Reflector#example).
+    /// `cos_i` is the cosine of the angle of incidence; below 0 or above 1 it counts as the nearer end, and
+    /// NaN gives NaN. See the [example](Reflector#example).
     fn reflectance(&self, cos_i: f32) -> Self::Value;
 }
 
@@ -38,8 +38,8 @@ impl Reflector for f32 {
     type Value = f32;
 
     #[inline]
-    fn reflectance(&self, _: f32) -> f32 {
-        *self
+    fn reflectance(&self, cos_i: f32) -> f32 {
+        if cos_i.is_nan() { cos_i } else { *self }
     }
 }
 
@@ -47,8 +47,8 @@ impl<const N: usize, G: Bands> Reflector for Spectrum<Factor, N, G> {
     type Value = Self;
 
     #[inline]
-    fn reflectance(&self, _: f32) -> Self {
-        *self
+    fn reflectance(&self, cos_i: f32) -> Self {
+        if cos_i.is_nan() { *self * cos_i } else { *self }
     }
 }
 

@@ -161,8 +161,8 @@ impl<const N: usize, G: Bands> Absorber<N, G> {
     /// is NaN. See the [example](#example).
     ///
     /// # Accuracy
-    /// (tau + 1) units of 2^-24, relative, with tau = sigma d; 0 beyond tau = 104. The coefficient counts as
-    /// constant within a bin, so choose bins that are narrow where it changes quickly.
+    /// (tau + 1.2) units of 2^-24, relative, with tau = sigma d; 0 beyond tau = 104. The coefficient counts
+    /// as constant within a bin, so choose bins that are narrow where it changes quickly.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn transmittance(&self, path_m: f32) -> Spectrum<Factor, N, G> {

@@ -21,7 +21,7 @@ pub(super) fn is_denser(eta: f32) -> bool {
 /// `eta` is the refractive index of the matter relative to the outside, 1..=3; otherwise the result is NaN.
 ///
 /// # Accuracy
-/// 2e-7 absolute from an `eta` of 1.2 on. Below, where light is reflected at grazing angles only, 1.1e-4.
+/// 3e-7 absolute from an `eta` of 1.2 on. Below, where light is reflected at grazing angles only, 1.1e-4.
 ///
 /// # Example
 ///

@@ -106,12 +106,13 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
     /// Computes the same as [`profile`](Self::profile), on the math backend `M`.
     #[must_use]
     pub fn profile_with<M: Math>(&self, r: f32) -> Spectrum<Factor, N, G> {
+        if r < 0.0 || r.is_nan() {
+            return Spectrum::from_bins([f32::NAN; N]);
+        }
         self.each(|albedo, decay, extinction| {
             // In units of the mean free path, the sources lie 1 below the surface and 1 + 4A/3 above it.
             let across = r * extinction;
-            if r < 0.0 {
-                return f32::NAN;
-            } else if across > 1e12 {
+            if across > 1e12 {
                 return albedo * 0.0;
             }
             let source = |depth: f32| {

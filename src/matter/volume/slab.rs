@@ -215,7 +215,7 @@ by_fields!([const N: usize, G] Slab<N, G>, "Slab": index, absorber, thickness_m)
 /// any other.
 ///
 /// # Accuracy
-/// 6 units of 2^-24, relative.
+/// 12 units of 2^-24, relative.
 ///
 /// # Errors
 /// [`AbsorberError::OutOfRange`]: a transmittance is NaN, below 0, or above that of clear glass of this

@@ -14,8 +14,8 @@ use core::f32::consts::FRAC_1_PI;
 /// part of the sphere below the point's horizon does not count. From within the sphere the factor is 1.
 ///
 /// # Accuracy
-/// With the center above the horizon, the relative error is at most 5e-7. With the center below, the error is
-/// at most 1.2e-7 of (r/d)^2, which is the largest possible factor.
+/// With the center above the horizon, the relative error is at most 1e-6. With the center below, the error is
+/// at most 1.4e-7 of (r/d)^2, which is the largest possible factor.
 ///
 /// # Example
 /// ```

@@ -52,29 +52,31 @@ pub const fn covariance_of<const N: usize, G: Grid>(lights: &[Light<N, G>]) -> [
     products
 }
 
-/// Computes L of L L' = `covariance` by Cholesky's steps, with the largest variance that is left first. It
-/// ends where only rounding is left, so that what six lamps span has six columns.
+/// Computes L of L L' = `covariance` by Cholesky's steps, with the bin first of whose variance the largest
+/// share is left. It ends where only rounding is left, so that what six lamps span has six columns.
+///
+/// Shares are compared and not variances, because each entry is rounded in proportion to the bins that it
+/// belongs to: beside the line of a sodium lamp the digits of all other bins would count as rounding.
 pub(super) const fn semidefinite_root<const N: usize>(covariance: &[[f32; N]; N]) -> [[f32; N]; N] {
     let (mut left, mut columns) = ([0.0; N], [[0.0; N]; N]);
-    let mut largest = 0.0;
     const_for!(0..N, |i| left[i] = covariance[i][i]);
     let mut k = 0;
     while k < N {
-        let (mut pivot, mut variance) = (0, 0.0);
+        let (mut pivot, mut most) = (0, 0.0);
         let mut i = 0;
         // (A NaN is chosen as the pivot and spreads.)
-        while i < N && variance >= 0.0 {
-            if left[i] > variance || left[i].is_nan() {
-                (pivot, variance) = (i, left[i]);
+        while i < N && most >= 0.0 {
+            let share = if left[i] > 0.0 || left[i].is_nan() { left[i] / covariance[i][i] } else { 0.0 };
+            if share > most || share.is_nan() {
+                (pivot, most) = (i, share);
             }
             i += 1;
         }
-        largest = if k == 0 { variance } else { largest };
         // (A pivot is below N; saying so keeps the panic out of an image.)
-        if variance <= largest * (N as f32 * f32::EPSILON) || pivot >= N {
+        if most <= 8.0 * f32::EPSILON || pivot >= N {
             break;
         }
-        let root = sqrt(variance);
+        let root = sqrt(left[pivot]);
         const_for!(0..N, |i| {
             let mut value = covariance[i][pivot];
             const_for!(0..k, |j| value -= columns[j][i] * columns[j][pivot]);

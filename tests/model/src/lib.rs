@@ -44,3 +44,4 @@ pub mod allowed;
 pub mod check;
 pub mod lamps;
 pub mod noise;
+pub mod search;
