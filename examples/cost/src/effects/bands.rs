@@ -48,7 +48,8 @@ fn of(scene: &str) -> Vec<Vec<Cell>> {
         (81, answers::<81, Bins<380, 730>>(scene)),
     ];
     // Every lamp of the study is a white.
-    let lab = |answer: &Answer| answer.look.lab.map_or([f64::NAN; 3], |lab| [lab.l, lab.a, lab.b].map(f64::from));
+    let lab =
+        |answer: &Answer| answer.look.lab.map_or([f64::NAN; 3], |lab| [lab.l, lab.a, lab.b].map(f64::from));
     let differences = coarse.each_ref().map(|(_, answers)| -> Vec<f64> {
         answers.iter().zip(&exact).map(|(one, other)| de2000(lab(other), lab(one))).collect()
     });
