@@ -14,10 +14,10 @@ Report:
   The color is that of the light behind the last part, with the lamp as white: XYZ (Y = 100 for the
   bare lamp), xy, Lab and an sRGB code, adapted to D65 by CAT16. The code is followed by \"clipped\"
   if the color is outside sRGB. White is a perfect white surface under the bare lamp.
-  The light of a lamp is a smooth curve with the averages of the bands. If the lamp is so narrow that X,
-  Y or Z of this curve is not above zero, the light is constant within each band. If X, Y or Z is still
-  not above zero, as with deep red light, the lamp is no white: there is no Lab, and the color is not
-  adapted.
+  The light of a lamp is a smooth curve with the averages of the bands. If the lamp is so narrow that
+  X, Y or Z of this curve is not above zero, the light is constant within each band. If X, Y or Z is
+  still not above zero, as with deep red light, the lamp is no white: there is no Lab, and the color
+  is not adapted.
   With illuminance_lx in [lamp], the report also has absolute numbers, over the wavelengths of the
   grid: the illuminance and irradiance in front of the first part and the exitance behind the last.
   Behind a matt (Lambertian) part there are luminance and radiance too. Surfaces are matt, and so are
@@ -37,8 +37,8 @@ Report:
 
 JSON keys:
   scene, title, lamp, eye, grid, wavelengths_nm; lamp_spectrum and leaving_spectrum (averages over
-  the bands, in the unit of the lamp, or in W/m2/nm with illuminance_lx); XYZ, xy (null if black), lab (null if the lamp is no
-  white), hex, hex_is_clipped, lamp_hex, luminous_factor_percent.
+  the bands, in the unit of the lamp, or in W/m2/nm with illuminance_lx); XYZ, xy (null if black),
+  lab (null if the lamp is no white), hex, hex_is_clipped, lamp_hex, luminous_factor_percent.
   absolute: illuminance_lx, irradiance_w_m2, exitance_lm_m2, exitance_w_m2, luminance_cd_m2 and
   radiance_w_m2_sr. It is null without illuminance_lx; the last two are null behind what is not
   matt.
