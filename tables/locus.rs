@@ -27,9 +27,11 @@ fn mired(k: f64) -> (f64, f64) {
 pub fn source(cmf: &Table) -> String {
     let mut text = format!(
         "/// The reciprocal temperature at knot k is FIRST + k (LINEAR + k^2 CUBIC) mired.\n\
-         const FIRST: f32 = {FIRST:?};\nconst LINEAR: f32 = {LINEAR:?};\nconst CUBIC: f32 = {CUBIC:?};\n\
+         pub(super) const FIRST: f32 = {FIRST:?};\n\
+         pub(super) const LINEAR: f32 = {LINEAR:?};\n\
+         pub(super) const CUBIC: f32 = {CUBIC:?};\n\
          /// u, v, du/dk and dv/du at each knot.\n\
-         static LOCUS: [[f32; 4]; {KNOTS}] = [\n"
+         pub(super) static LOCUS: [[f32; 4]; {KNOTS}] = [\n"
     );
     for k in 0..KNOTS {
         let (mired, per_knot) = mired(f64::from(k));

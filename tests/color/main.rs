@@ -3,6 +3,8 @@
 mod appearance;
 mod cct;
 mod differences;
+mod hdr;
+mod planckian;
 mod rendering;
 mod rgb_and_adaptation;
 mod spaces;

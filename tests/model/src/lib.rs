@@ -17,6 +17,7 @@ pub mod planck;
 
 pub mod appearance;
 pub mod delta_e;
+pub mod hdr;
 pub mod lab;
 
 pub mod cri;
