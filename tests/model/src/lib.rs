@@ -30,6 +30,7 @@ pub mod linear;
 pub mod rgb;
 pub mod transfer;
 
+pub mod flicker;
 pub mod sensor;
 
 pub mod fresnel;
