@@ -243,6 +243,23 @@ impl Xy {
     }
 }
 
+impl Uv1960 {
+    /// Converts the chromaticity to the coordinates x, y of the CIE 1931 diagram.
+    ///
+    /// See the [example](crate::color::Uv1960::planckian).
+    #[must_use]
+    pub fn xy(self) -> Xy {
+        let d = 2.0 * self.u - 8.0 * self.v + 4.0;
+        Xy { x: 3.0 * self.u / d, y: 2.0 * self.v / d }
+    }
+
+    /// Converts the chromaticity to the coordinates u', v' of the CIE 1976 diagram, which has v' = 1.5 v.
+    #[must_use]
+    pub fn uv1976(self) -> Uv1976 {
+        Uv1976 { u: self.u, v: 1.5 * self.v }
+    }
+}
+
 /// Implements `Display` as in `X 95.047 Y 100 Z 108.883`: each number follows its name, and the format's
 /// width and precision apply to each number.
 macro_rules! shown_by_name {

@@ -34,9 +34,11 @@ pub fn source(cmf: &Table) -> String {
     let fine_knots = (KNOTS - 1) * FINER + 1;
     format!(
         "/// The reciprocal temperature at knot k of `LOCUS` is FIRST + k (LINEAR + k^2 CUBIC) mired.\n\
-         const FIRST: f32 = {FIRST:?};\nconst LINEAR: f32 = {LINEAR:?};\nconst CUBIC: f32 = {CUBIC:?};\n\
+         pub(super) const FIRST: f32 = {FIRST:?};\n\
+         pub(super) const LINEAR: f32 = {LINEAR:?};\n\
+         pub(super) const CUBIC: f32 = {CUBIC:?};\n\
          /// u, v, du/dk and dv/du at each knot.\n\
-         static LOCUS: [[f32; 4]; {KNOTS}] = [\n{}];\n\
+         pub(super) static LOCUS: [[f32; 4]; {KNOTS}] = [\n{}];\n\
          /// The same at more knots.\n\
          static FINE_LOCUS: [[f32; 4]; {fine_knots}] = [\n{}];\n",
         rows(1, cmf),

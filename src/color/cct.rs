@@ -6,10 +6,13 @@ use core::fmt;
 
 include!(concat!(env!("OUT_DIR"), "/locus.rs"));
 
+/// The number of segments of the locus table.
+pub(in crate::color) const SEGMENTS: usize = LOCUS.len() - 1;
+
 /// The largest distance from the locus at which CIE 15 gives a correlated color temperature a meaning, with
 /// room for the rounding of u and v. (The radius of curvature of the locus goes down to 0.1001, and a point
 /// that is further away has no unique nearest point.)
-const MAX_DUV: f32 = 0.05 + 2e-7;
+pub(in crate::color) const MAX_DUV: f32 = 0.05 + 2e-7;
 
 /// A correlated color temperature with its Duv, or the reason why a color has none.
 ///
@@ -199,7 +202,7 @@ impl Uv1960 {
 }
 
 /// One cubic piece of the locus, whose parameter goes from 0 to 1.
-struct Segment {
+pub(in crate::color) struct Segment {
     start: [f32; 2],
     tangent: [f32; 2],
     bend: [f32; 2],
@@ -219,13 +222,20 @@ fn along(knot: Knot, p: Uv1960) -> f32 {
 
 impl Segment {
     #[inline(always)]
-    fn between(from: Knot, to: Knot) -> Self {
+    pub(in crate::color) fn between(from: Knot, to: Knot) -> Self {
         let ([u0, v0, du0, steep0], [u1, v1, du1, steep1]) = (*from, *to);
         let (across, t0, t1) = ([u1 - u0, v1 - v0], [du0, du0 * steep0], [du1, du1 * steep1]);
         let twist = |i: usize| t0[i] + t1[i] - 2.0 * across[i];
         let twist = [twist(0), twist(1)];
         let bend = |i: usize| across[i] - t0[i] - twist[i];
         Segment { start: [u0, v0], tangent: t0, bend: [bend(0), bend(1)], twist }
+    }
+
+    /// Returns the point of the cubic at the parameter `s`, and its derivative there.
+    pub(in crate::color) fn at(&self, s: f32) -> ([f32; 2], [f32; 2]) {
+        let point = |i: usize| self.start[i] + s * (self.tangent[i] + s * (self.bend[i] + s * self.twist[i]));
+        let slope = |i: usize| self.tangent[i] + s * (2.0 * self.bend[i] + 3.0 * s * self.twist[i]);
+        ([point(0), point(1)], [slope(0), slope(1)])
     }
 
     /// Finds the point of the cubic that is nearest to `p`, and returns its parameter and signed distance.

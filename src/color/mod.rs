@@ -2,7 +2,7 @@
 //! spectrum.
 //!
 //! Most calculations start from [`Xyz`], which an [`Observer`](crate::Observer) reports of light; only
-//! [`cri()`] and [`tm30()`] take the spectrum itself.
+//! [`cri()`], [`tm30()`] and [`ssi()`] take the spectrum itself.
 //!
 //! ```
 //! use nanospectra::color::{Rgb, Srgb, Xyz};
@@ -27,24 +27,30 @@
 //! | what is wanted | where to start |
 //! |---|---|
 //! | chromaticity | [`Xyz::xy`], [`Xyz::uv1960`], [`Xyz::uv1976`] |
-//! | correlated color temperature and Duv | [`Xyz::cct`] |
+//! | correlated color temperature and Duv, and back | [`Xyz::cct`], [`Uv1960::of_cct`] |
 //! | dominant wavelength and purity | [`dominant_wavelength()`] |
 //! | CIELAB, CIELUV, Oklab | [`Xyz::lab`], [`Xyz::luv`], [`Xyz::oklab`] |
+//! | high dynamic range | [`Ictcp`], [`Xyz::jzazbz`] |
 //! | color difference | [`Xyz::delta_e`], [`ciede2000()`], [`cie76()`], [`cie94()`], [`cmc()`], [`hyab()`] |
 //! | appearance in a scene, by CIECAM02 or CAM16 | [`ViewingConditions`] |
 //! | the corresponding color under another white | [`Adaptation`] |
 //! | a pixel, and its way into the gamut | [`Rgb`], [`EncodedRgb`], [`GamutMapped`] |
-//! | color rendering of a lamp | [`cri()`], [`tm30()`] |
+//! | color rendering of a lamp | [`cri()`], [`tm30()`], [`ssi()`] |
 //! | a renderer that computes in RGB or in spectra | [`RgbBands`] |
 
 pub(crate) mod matrix;
 
 mod cct;
 mod dominant;
+mod planckian;
+mod ssi;
 
 mod lab;
 mod luv;
 mod oklab;
+
+mod ictcp;
+mod jzazbz;
 
 mod ciede2000;
 mod difference;
@@ -80,6 +86,8 @@ pub use cri::{Cri, cri};
 pub use difference::{Cie94Weights, cie76, cie94, cmc, hyab};
 pub use dominant::{DominantWavelength, dominant_wavelength};
 pub use gamut::GamutMapped;
+pub use ictcp::{Ictcp, IctcpTransfer};
+pub use jzazbz::Jzazbz;
 pub use lab::{Lab, Lch};
 pub use luv::Luv;
 pub use oklab::Oklab;
@@ -89,5 +97,6 @@ pub use rgb::{EncodedRgb, Rgb};
 pub use rgb_bands::RgbBands;
 pub(crate) use rgb_space::to_xyz64;
 pub use rgb_space::{Aces2065, AcesCg, AdobeRgb, Bt2020, DciP3, DisplayP3, ProPhoto, RgbSpace, Srgb};
+pub use ssi::ssi;
 #[cfg(feature = "libm")]
 pub use tm30::{HueBin, Tm30, tm30};

@@ -268,7 +268,8 @@ pub struct Pq;
 
 impl Pq {
     const M1: f32 = 2610.0 / 16384.0;
-    const M2: f32 = 2523.0 / 4096.0 * 128.0;
+    /// The exponent by which the encoded signal is bent.
+    pub(in crate::color) const M2: f32 = 2523.0 / 4096.0 * 128.0;
     const C1: f32 = 3424.0 / 4096.0;
     const C2: f32 = 2413.0 / 4096.0 * 32.0;
     const C3: f32 = 2392.0 / 4096.0 * 32.0;
@@ -278,18 +279,30 @@ impl Pq {
 
 impl Transfer for Pq {
     fn encode_with<M: Math>(linear: f32) -> f32 {
+        Self::encode_by::<M>(linear, Self::M2)
+    }
+    fn decode_with<M: Math>(code: f32) -> f32 {
+        Self::decode_by::<M>(code, Self::M2)
+    }
+}
+
+impl Pq {
+    /// Encodes with another exponent in place of [`M2`](Self::M2), as Jzazbz does.
+    pub(in crate::color) fn encode_by<M: Math>(linear: f32, exponent: f32) -> f32 {
         let y = if linear <= 0.0 { 0.0 } else { M::powf(linear, Self::M1) };
         // ln((c1 + c2 y) / (1 + c3 y)) = 2 atanh(s), and |s| <= 0.09
         let s = Self::D * (y - 1.0) / (1.0 + Self::C1 + (Self::C2 + Self::C3) * y);
         let s2 = s * s;
         let atanh = s + s * s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0 + s2 * (1.0 / 9.0))));
-        M::exp(2.0 * Self::M2 * atanh)
+        M::exp(2.0 * exponent * atanh)
     }
-    fn decode_with<M: Math>(code: f32) -> f32 {
+
+    /// Decodes what [`encode_by`](Self::encode_by) has encoded.
+    pub(in crate::color) fn decode_by<M: Math>(code: f32, exponent: f32) -> f32 {
         if code <= 0.0 {
             return 0.0;
         }
-        let p1 = M::expm1(M::ln(code) / Self::M2);
+        let p1 = M::expm1(M::ln(code) / exponent);
         let (over, under) = (Self::D + p1, Self::D - Self::C3 * p1);
         if over <= 0.0 {
             return 0.0;

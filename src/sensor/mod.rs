@@ -71,7 +71,9 @@ pub use reading::{
 pub use spectrometer::{FirstPixel, PixelWavelengths, PixelWavelengthsError, Rebinned, above_dark_pixels};
 #[cfg(feature = "heapless")]
 pub use time::Window;
+#[cfg(feature = "libm")]
+pub use time::stroboscopic_visibility;
 pub use time::{
     Advice, AutoExposure, Flicker, LadderError, MAINS_FLICKER_HZ, MAINS_PERIODS_MS, amplitude_at,
-    mean_over_periods, whole_periods_ms,
+    mean_over_periods, stroboscopic_visibility_with, whole_periods_ms,
 };

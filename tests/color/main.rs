@@ -5,6 +5,8 @@ mod appearance;
 mod cct;
 mod differences;
 mod held_out;
+mod hdr;
+mod planckian;
 mod rendering;
 mod rgb_and_adaptation;
 mod spaces;

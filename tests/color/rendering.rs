@@ -1,11 +1,11 @@
-//! Color rendering against the goldens: CIE 13.3 and TM-30-18.
+//! Color rendering against the goldens: CIE 13.3, TM-30-18 and the spectral similarity index.
 #![cfg(feature = "libm")]
 
 use model::allowed::check;
 use model::cri::{Method, Mode};
 use model::csv::{Row, golden};
 use model::tables::source;
-use nanospectra::color::{RenderingError, cri, tm30};
+use nanospectra::color::{RenderingError, cri, ssi, tm30};
 use nanospectra::light::blackbody_relative;
 use nanospectra::{Fine, Interpolation, Power};
 
@@ -128,4 +128,34 @@ fn darkness_and_colors_have_no_rendering() {
     assert_eq!(green.add_line(530.0, 1.0), 0.0);
     assert!(matches!(cri(&green), Err(RenderingError::NoReference(_))));
     assert!(matches!(tm30(&green), Err(RenderingError::NoReference(_))));
+}
+
+/// The spectral similarity index of colour-science 0.4.7, which interpolates linearly, before it is rounded.
+#[test]
+fn the_similarity_of_lights_is_that_of_colour_science() {
+    let mut index = check("spectral similarity index");
+    let pairs = [
+        ("FL2", "D65", 58.262198),
+        ("D55", "D65", 90.624895),
+        ("C", "D65", 94.182971),
+        ("E", "D65", 89.546928),
+        ("FL11", "C", 27.391060),
+        ("LED-B3", "FL4", 49.657064),
+        ("HP1", "FL4", 48.247372),
+        ("FL7", "D55", 83.439600),
+        ("D65", "FL2", 63.737468),
+        ("LED-RGB1", "D75", -0.133365),
+    ];
+    for (light, reference, expected) in pairs {
+        let [of, to] = [light, reference].map(|name| nanospectra::light::named(name).expect("a light"));
+        let found = ssi(&of, &to).expect("lights");
+        index.value(&format!("{light} to {reference}"), found.into(), expected);
+        assert_eq!(ssi(&of, &of), Some(100.0));
+        // Brightness does not count.
+        assert!((ssi(&(of * 1e6), &to).expect("lights") - found).abs() < 1e-4);
+    }
+    index.tight(pairs.len());
+    let (dark, e) = (Fine::<Power>::flat(0.0), Fine::<Power>::flat(1.0));
+    assert_eq!((ssi(&dark, &e), ssi(&e, &dark)), (None, None));
+    assert!(ssi(&Fine::flat(f32::NAN), &e).is_some_and(f32::is_nan));
 }

@@ -134,10 +134,13 @@ fn rgb_spaces_agree() {
     back.tight(7 * 3 * 289);
 }
 
+/// A matrix that is found and one that is printed, with the digits of that.
+type Printed = (&'static str, [[f32; 3]; 3], [[f64; 3]; 3], f64);
+
 /// The matrices to X, Y, Z as standards print them, to all digits there.
 #[test]
 fn the_matrices_of_wide_spaces_are_the_printed_ones() {
-    let printed: [(&str, [[f32; 3]; 3], [[f64; 3]; 3], f64); 3] = [
+    let printed: [Printed; 3] = [
         (
             "DCI-P3, SMPTE EG 432-1",
             DciP3::TO_XYZ,

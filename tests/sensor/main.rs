@@ -10,6 +10,7 @@ mod measures;
 mod readings;
 mod reconstruction;
 mod spectrometer;
+mod stroboscopic;
 mod tables;
 mod worst_priors;
 

@@ -36,11 +36,11 @@ pub struct Appearance {
     ///
     /// See the [example](Appearance#example).
     pub h_deg: f32,
-    /// The brightness Q, which grows with the luminance of the scene.
+    /// The brightness Q, which is 0 for black and grows with the luminance of the scene.
     ///
     /// See the [example](Appearance#example).
     pub q: f32,
-    /// The colorfulness M, which grows with the luminance of the scene.
+    /// The colorfulness M, which is 0 for a gray and grows with the luminance of the scene.
     ///
     /// See the [example](Appearance#example).
     pub m: f32,
@@ -52,7 +52,7 @@ pub struct Appearance {
 
 shown_by_name!(Appearance: "J" j, "C" c, "h" h_deg);
 
-/// A color in the uniform space of an appearance model, CAM02-UCS or CAM16-UCS.
+/// A color that is given in the uniform space of an appearance model, CAM02-UCS or CAM16-UCS.
 ///
 /// [`ViewingConditions::ucs`](crate::color::ViewingConditions::ucs) computes it, and
 /// [`ViewingConditions::xyz_of_ucs`](crate::color::ViewingConditions::xyz_of_ucs) leads back.

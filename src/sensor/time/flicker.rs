@@ -155,16 +155,8 @@ where
     if periods.per_period < 2.0 {
         return None;
     }
-    // The mean is subtracted, because a part of a reading would spread it over every frequency.
     let mean = periods.mean(readings.clone());
-    let turn = 2.0 * cos_turns(frequency_hz / rate_hz);
-    let (mut last, mut before) = (0.0, 0.0);
-    for (value, weight) in periods.weighted(readings) {
-        (last, before) = (weight * (value - mean) + turn * last - before, last);
-    }
-    let squares = last * last + before * before - turn * last * before;
-    let size = if squares < 0.0 { 0.0 } else { sqrt(squares) };
-    Some(2.0 * size / periods.length)
+    Some(periods.amplitude(readings, mean, frequency_hz / rate_hz))
 }
 
 impl Exposure {
@@ -226,14 +218,18 @@ const fn whole(periods: f32) -> f32 {
 }
 
 /// How many readings whole periods take up.
-struct Periods {
-    per_period: f32,
+pub(in crate::sensor::time) struct Periods {
+    pub(in crate::sensor::time) per_period: f32,
     /// The length of all periods together, in readings.
     length: f32,
 }
 
 impl Periods {
-    fn of<'a>(readings: impl Iterator<Item = &'a f32>, rate_hz: f32, frequency_hz: f32) -> Option<Self> {
+    pub(in crate::sensor::time) fn of<'a>(
+        readings: impl Iterator<Item = &'a f32>,
+        rate_hz: f32,
+        frequency_hz: f32,
+    ) -> Option<Self> {
         let per_period = rate_hz / frequency_hz;
         if !(rate_hz > 0.0 && frequency_hz > 0.0 && per_period > 0.0 && per_period.is_finite()) {
             return None;
@@ -253,7 +249,25 @@ impl Periods {
             .take_while(|(_, weight)| *weight > 0.0)
     }
 
-    fn mean<'a>(&self, readings: impl Iterator<Item = &'a f32>) -> f32 {
+    pub(in crate::sensor::time) fn mean<'a>(&self, readings: impl Iterator<Item = &'a f32>) -> f32 {
         self.weighted(readings).map(|(value, weight)| value * weight).sum::<f32>() / self.length
+    }
+
+    /// The amplitude of the part that swings by `turns` in each reading, by Goertzel's recurrence.
+    pub(in crate::sensor::time) fn amplitude<'a>(
+        &self,
+        readings: impl Iterator<Item = &'a f32>,
+        mean: f32,
+        turns: f32,
+    ) -> f32 {
+        // The mean is subtracted, because a part of a reading would spread it over every frequency.
+        let turn = 2.0 * cos_turns(turns);
+        let (mut last, mut before) = (0.0, 0.0);
+        for (value, weight) in self.weighted(readings) {
+            (last, before) = (weight * (value - mean) + turn * last - before, last);
+        }
+        let squares = last * last + before * before - turn * last * before;
+        let size = if squares < 0.0 { 0.0 } else { sqrt(squares) };
+        2.0 * size / self.length
     }
 }

@@ -2,6 +2,7 @@
 
 mod auto_exposure;
 mod flicker;
+mod stroboscopic;
 #[cfg(feature = "heapless")]
 mod window;
 
@@ -9,5 +10,8 @@ pub use auto_exposure::{Advice, AutoExposure, LadderError};
 pub use flicker::{
     Flicker, MAINS_FLICKER_HZ, MAINS_PERIODS_MS, amplitude_at, mean_over_periods, whole_periods_ms,
 };
+#[cfg(feature = "libm")]
+pub use stroboscopic::stroboscopic_visibility;
+pub use stroboscopic::stroboscopic_visibility_with;
 #[cfg(feature = "heapless")]
 pub use window::Window;

@@ -17,6 +17,7 @@ pub mod planck;
 
 pub mod appearance;
 pub mod delta_e;
+pub mod hdr;
 pub mod lab;
 
 pub mod cri;
@@ -29,6 +30,7 @@ pub mod linear;
 pub mod rgb;
 pub mod transfer;
 
+pub mod flicker;
 pub mod sensor;
 
 pub mod fresnel;
