@@ -1,6 +1,7 @@
 //! Turns many spectra of a 5 nm instrument into X, Y, Z, in a module that is built for speed.
 
 use crate::fixed::Fixed;
+use core::mem::offset_of;
 use nanospectra::observer::CIE_1931;
 use nanospectra::{Curve, Light, Nodes, Observer, Power};
 
@@ -21,12 +22,12 @@ static INSTRUMENT: Fixed<Readings> =
 
 #[unsafe(no_mangle)]
 extern "C" fn spectra() -> *mut Light<81, Grid> {
-    INSTRUMENT.get().spectra.as_mut_ptr()
+    INSTRUMENT.address().wrapping_byte_add(offset_of!(Readings, spectra)).cast()
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn xyz() -> *mut [f32; 3] {
-    INSTRUMENT.get().xyz.as_mut_ptr()
+    INSTRUMENT.address().wrapping_byte_add(offset_of!(Readings, xyz)).cast()
 }
 
 /// Computes X, Y, Z of the first `count` spectra, by the CIE 1931 functions folded to their bands.

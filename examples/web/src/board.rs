@@ -41,22 +41,22 @@ pub fn board() -> RefMut<'static, Board> {
 
 #[unsafe(no_mangle)]
 extern "C" fn samples() -> *mut (f32, f32) {
-    board().samples.as_mut_ptr()
+    BOARD.address().wrapping_byte_add(offset_of!(Board, samples)).cast()
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn curve() -> *mut f32 {
-    board().curve.values_mut().as_mut_ptr()
+    BOARD.address().wrapping_byte_add(offset_of!(Board, curve)).cast()
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn light() -> *mut f32 {
-    board().light.values_mut().as_mut_ptr()
+    BOARD.address().wrapping_byte_add(offset_of!(Board, light)).cast()
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn out() -> *mut f32 {
-    board().out.as_mut_ptr()
+    BOARD.address().wrapping_byte_add(offset_of!(Board, out)).cast()
 }
 
 /// Writes numbers from place `at` on. The number of values is known and the function is inlined, so that

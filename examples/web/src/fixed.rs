@@ -17,6 +17,11 @@ impl<T> Fixed<T> {
         Fixed(RefCell::new(value))
     }
 
+    /// Returns where it is, for JavaScript.
+    pub fn address(&self) -> *mut T {
+        self.0.as_ptr()
+    }
+
     /// Returns all of it, until what is returned is dropped. The module stops if it is in use already, which
     /// would be a mistake in the module.
     pub fn get(&self) -> RefMut<'_, T> {

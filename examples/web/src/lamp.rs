@@ -4,6 +4,7 @@
 use crate::board::{Board, board, put};
 use crate::fixed::Fixed;
 use crate::measure::{at, eye};
+use core::mem::offset_of;
 use nanospectra::color::{Cri, RenderingError, Tm30, Xy, cri, dominant_wavelength, tm30};
 use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
 use nanospectra::{Fine, Power};
@@ -99,12 +100,12 @@ static BATCHES: Fixed<Batch> =
 
 #[unsafe(no_mangle)]
 extern "C" fn batch_lights() -> *mut Fine<Power> {
-    BATCHES.get().lights.as_mut_ptr()
+    BATCHES.address().wrapping_byte_add(offset_of!(Batch, lights)).cast()
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn batch_results() -> *mut [f32; 20] {
-    BATCHES.get().results.as_mut_ptr()
+    BATCHES.address().wrapping_byte_add(offset_of!(Batch, results)).cast()
 }
 
 /// Computes for each of the first `count` lights X, Y, Z (sums with the CIE 1931 functions), then Ra, the
