@@ -123,6 +123,8 @@ pub fn all() {
         sensor::Flicker::of::<core::slice::Iter<'static, f32>>,
         sensor::LadderError::message,
         sensor::amplitude_at::<core::slice::Iter<'static, f32>>,
+        sensor::stroboscopic_visibility::<&'static [f32]>,
+        sensor::stroboscopic_visibility_with::<Fast, &'static [f32]>,
         sensor::mean_over_periods::<core::slice::Iter<'static, f32>>,
         sensor::whole_periods_ms,
     ];
