@@ -5,7 +5,7 @@
 #   meaning        one test file passes on the host and on every board, the log of an instrument is complete, and a
 #                  published driver reads a simulated chip
 #   instructions   public calls take as many as on record in tests/data/instructions.txt, within 2 % in both directions
-#   bytes          flash and stack are as in the same file, and images contain no panic, core::fmt, allocator or f64
+#   bytes          flash and stack, also of large calls such as `tm30`, are as in the same file, and images contain no panic, core::fmt, allocator or f64
 #
 #   tests/devices.sh             checks
 #   tests/devices.sh --bless     checks the limits, then records the bits and the numbers of this run
@@ -50,6 +50,14 @@ $m4f release upsample-linear-31-most 10000 instructions
 $m4f small upsample-linear-31-most 16000 instructions
 $m4f small upsample-(code|tables) 2560 bytes
 $m4f release path-vest-folded 350 instructions
+$m4f release tm30 12000 stack-bytes
+$m4f small tm30 12000 stack-bytes
+$m4f release cri 2500 stack-bytes
+$m4f small cri 2500 stack-bytes
+$m0 release tm30 12000 stack-bytes
+$m0 small tm30 12000 stack-bytes
+$m0 release cri 2500 stack-bytes
+$m0 small cri 2500 stack-bytes
 $m0 release fixed-counts-xyz-lux 600 instructions
 $m0 small fixed-counts-xyz-lux 600 instructions
 $m0 release fixed-counts-cct-duv 4000 instructions

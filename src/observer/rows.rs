@@ -104,7 +104,7 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
     /// ```
     #[must_use]
     pub const fn through(&self, filter: &Spectrum<Factor, N, G>) -> Self {
-        Self::unchecked(self.times(&filter.0))
+        self.times(&filter.0)
     }
 
     /// Returns this observer turned to a surface of reflectance `surface`. It then reads the light that falls
@@ -128,12 +128,12 @@ impl<const C: usize, const N: usize, Q, G> Observer<C, N, Q, G> {
         Observer(weights, PhantomData)
     }
 
-    const fn times(&self, factors: &[f32; N]) -> [[f32; N]; C] {
-        let mut weights = self.0;
+    const fn times<R>(&self, factors: &[f32; N]) -> Observer<C, N, R, G> {
+        let mut observer = Observer::unchecked(self.0);
         const_for!(0..C, |c| {
-            const_for!(0..N, |n| weights[c][n] *= factors[n]);
+            const_for!(0..N, |n| observer.0[c][n] *= factors[n]);
         });
-        weights
+        observer
     }
 }
 
@@ -144,7 +144,7 @@ impl<const C: usize, const N: usize, G> Observer<C, N, Power, G> {
     /// [example](Observer#example).
     #[must_use]
     pub const fn under(&self, light: &Spectrum<Power, N, G>) -> Observer<C, N, Factor, G> {
-        Observer::unchecked(self.times(&light.0))
+        self.times(&light.0)
     }
 }
 

@@ -90,6 +90,9 @@ impl AlphaOpic {
     ///
     /// A ratio is the equivalent daylight illuminance over the illuminance, both of 380..=780 nm, and is 1
     /// for D65. Returns `None` if the spectrum has no illuminance. See the [example](Self#example).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 2,100 bytes of stack at opt-level 3 and at "s".
     #[must_use]
     pub fn der(light: &Fine<Power>) -> Option<Self> {
         let lux = illuminance(&light.within(380.0, 780.0));

@@ -50,6 +50,9 @@ impl<const N: usize, Q: Quantity, G: Grid> CohenR<N, Q, G> {
     ///
     /// The three rows of the observer have to be independent, which takes three bands at least; otherwise the
     /// result has no meaning.
+    ///
+    /// # Cost
+    /// On a Cortex-M4F 31 bands take 1,600 bytes of stack at opt-level 3 and at "s".
     #[must_use]
     pub const fn new(eye: &Observer<3, N, Q, G>) -> Self {
         let rows = eye.weights();

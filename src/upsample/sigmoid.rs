@@ -126,6 +126,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// [`unbounded`](Self::unbounded) for them.
     ///
     /// See the [example](crate::upsample#example) of the module.
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 660 bytes of stack at opt-level 3, and 850 at "s".
     #[must_use]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let problem = Problem::of(rgb.to_array(), &self.response);
@@ -141,7 +144,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     ///
     /// # Cost
     /// A color that no sigmoid has takes eleven times as long as by [`reflectance`](Self::reflectance), which
-    /// takes 88 steps for it.
+    /// takes 88 steps for it. On a Cortex-M4F it takes 840 bytes of stack at opt-level 3, and 1,080 at "s".
     #[must_use]
     pub fn desaturated(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let first = self.reflectance(rgb);
@@ -213,7 +216,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// The results have the same bits as those of [`reflectance`](Self::reflectance).
     ///
     /// # Cost
-    /// A color takes 140 ns at N = 31 for x86-64-v3, and 295 ns for the default x86-64 target.
+    /// A color takes 140 ns at N = 31 for x86-64-v3, and 295 ns for the default x86-64 target. On a
+    /// Cortex-M4F it takes 2,500 bytes of stack at opt-level 3, and 2,650 at "s".
     #[must_use]
     pub fn reflectance_8(&self, rgb: &[Rgb<S>; 8]) -> [Solved<SigmoidReflectance>; 8] {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };

@@ -79,7 +79,7 @@ measuring() {
         --no-default-features --features measure "${@/#/--bin=}"
 }
 
-# boot <label> <elf> <file>: runs an image in QEMU and writes its output to the file.
+# boot <label> <elf> <file> [shift]: runs an image in QEMU and writes its output to the file.
 boot() {
-    "$root/examples/firmware/run.sh" "$2" >"$3" || { fail "$1: $(basename "$2") exits with code $?"; return 1; }
+    "$root/examples/firmware/run.sh" "$2" "${4:-10}" >"$3" || { fail "$1: $(basename "$2") exits with code $?"; return 1; }
 }

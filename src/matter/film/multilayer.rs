@@ -225,6 +225,9 @@ impl Crossing {
 /// points each. Take at least one panel for each fringe within a bin; ten for each fringe hold the mean to
 /// some 1e-6.
 ///
+/// # Cost
+/// On a Cortex-M4F two layers on 31 bands take 760 bytes of stack at opt-level 3, and 900 at "s".
+///
 /// # Example
 ///
 /// ```

