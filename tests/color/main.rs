@@ -1,6 +1,7 @@
 //! What a spectrum means: chromaticity, color temperature, color spaces, differences, rendering.
 
 mod cct;
+mod color_bits;
 mod differences;
 mod rendering;
 mod rgb_and_adaptation;

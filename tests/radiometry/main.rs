@@ -6,3 +6,4 @@ mod form_factors;
 mod frames;
 mod hard_cases;
 mod quantities;
+mod radiometry_bits;

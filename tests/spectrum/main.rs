@@ -10,4 +10,5 @@ mod limits;
 mod operators;
 mod reference;
 mod semantics;
+mod spectrum_bits;
 mod tables;
