@@ -3,9 +3,10 @@
 mod any_color_at_all;
 mod appearance;
 mod cct;
+mod color_bits;
 mod differences;
-mod held_out;
 mod hdr;
+mod held_out;
 mod planckian;
 mod rendering;
 mod rgb_and_adaptation;

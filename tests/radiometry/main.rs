@@ -6,4 +6,5 @@ mod form_factors;
 mod frames;
 mod hard_cases;
 mod quantities;
+mod radiometry_bits;
 mod worst_directions;

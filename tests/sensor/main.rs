@@ -9,6 +9,7 @@ mod linearity;
 mod measures;
 mod readings;
 mod reconstruction;
+mod sensor_bits;
 mod spectrometer;
 mod stroboscopic;
 mod tables;

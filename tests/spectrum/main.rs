@@ -10,5 +10,6 @@ mod limits;
 mod operators;
 mod reference;
 mod semantics;
+mod spectrum_bits;
 mod tables;
 mod worst_spectra;

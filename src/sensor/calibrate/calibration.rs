@@ -112,7 +112,8 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
     /// Corrects for channels that leak into each other.
     ///
     /// Count `i` is the sum over `j` of `crosstalk[i][j]` times the count that channel `j` would have had
-    /// without leakage.
+    /// without leakage. Weights and leakages beyond 1e15 in size, and leakages below 1e-15 that are not zero,
+    /// may give infinity or NaN.
     ///
     /// ```
     /// # use nanospectra::sensor::{BasicCounts, Calibration};

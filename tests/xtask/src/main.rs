@@ -8,6 +8,7 @@ mod full;
 mod images;
 mod lane;
 mod mutants;
+mod random;
 mod shell;
 mod toolchain;
 mod workspace;
@@ -43,6 +44,17 @@ enum Task {
     /// It installs cargo-mutants, and takes about ten seconds for a change. With `--since COMMIT` it tries the
     /// lines that were edited since then, which is the habit before a change is merged.
     Mutants(mutants::Choice),
+    /// Run the tests that draw random cases, and no others, with each seed of a range, in the dev profile
+    ///
+    /// A seed takes about 12 seconds on one idle core, so 150 of them take half an hour.
+    Seeds { first: u32, last: u32 },
+    /// Run the fuzzers of the library in the dev profile, so many times each
+    ///
+    /// They are the files tests/STATION/STATION_bits.rs. The tests run them 2,000 times each.
+    Fuzz {
+        #[arg(default_value_t = 100_000)]
+        runs: u32,
+    },
     /// Test everything that is promised, as CI does, in about half an hour on two cores
     ///
     /// It installs what it needs: compilers and targets by rustup, and valgrind, QEMU and Chromium by apt-get
@@ -71,6 +83,8 @@ fn main() -> ExitCode {
         Task::Check(steps) => check::run(Lane::new(steps.only)),
         Task::Test { station, harness } => test(&station, &harness),
         Task::Mutants(choice) => mutants::run(&choice),
+        Task::Seeds { first, last } => random::seeds(first, last),
+        Task::Fuzz { runs } => random::fuzz(runs),
         Task::Full(steps) => full::run(Lane::new(steps.only)),
         Task::Bless(steps) => bless::run(Lane::new(steps.only)),
     };
