@@ -5,3 +5,5 @@ import type { Source } from './nanospectra.js';
  * name of the file in messages.
  */
 export function parse(text: string, file?: string): Source[];
+/** Returns a name as a cell of CSV, which no spreadsheet takes for a formula. */
+export function cell(name: string): string;

@@ -98,6 +98,7 @@ function checkHeading(cells) {
  * @property {string} file
  * @property {string} name
  * @property {number[]} lines the line on which each sample stands, counted from 1
+ * @property {boolean} [averages] whether the values are averages over bands, as the heading 'band-nm' says
  * @property {[number, number][]} samples at least two pairs of wavelength in nm and value, finite and increasing
  */
 
@@ -164,6 +165,7 @@ export function parse(text, file = 'pasted') {
     file,
     name: name ?? (names.length > 1 ? `${stem}:${k + 1}` : stem),
     lines,
+    ...(heading?.cells[0].toLowerCase() === 'band-nm' && { averages: true }),
     samples: nms.map((nm, j) => [nm, values[k][j]]),
   }));
 
@@ -215,3 +217,10 @@ function namesOf(row, heading) {
   }
   return heading.cells.slice(1).map((cell) => (cell === '' ? undefined : cell));
 }
+
+/**
+ * Returns a name as a cell of CSV. Spreadsheets take a text that begins so for a formula, even in quotes; with an
+ * apostrophe in front it is a text.
+ * @param {string} name
+ */
+export const cell = (name) => `"${/^[=+\-@\t\r]/.test(name) ? "'" : ''}${name.replaceAll('"', '""')}"`;

@@ -2,7 +2,7 @@
 import { ILLUMINANTS, OBSERVERS } from './lists.js';
 import { all, three } from './numbers.js';
 import { read } from './read.js';
-import { checkReach, exactly, needsExact, sourceOf, wrong } from './samples.js';
+import { checkReach, exactly, meanOf, needsExact, sourceOf, wrong } from './samples.js';
 
 export const FIRST = 360,
   NODES = 471;
@@ -57,6 +57,11 @@ export class Instrument {
    */
   read(source, { sprague = false, hold = false, scaled = (x) => x } = {}) {
     const { samples, file, lines } = source;
+    if (source.averages) {
+      const scaledOnes = samples.map(([nm, value]) => [nm, scaled(value)]);
+      for (let k = 0; k < NODES; k++) this.curve[k] = meanOf(scaledOnes, FIRST + k, hold);
+      return;
+    }
     const status = this.wasm.interpolate(
       this.write(samples.map(([nm, value]) => [nm, scaled(value)])),
       +sprague,

@@ -1,7 +1,7 @@
 // The module `light`: every number about a light or a surface, for one spectrum or for batches.
 import { FIRST, Instrument, NODES, labOf } from './instrument.js';
 import { OBSERVERS } from './lists.js';
-import { all, double, hex, plain, single } from './numbers.js';
+import { all, double, hex, plain, shortest, single } from './numbers.js';
 import { checkReach, remarks, sourceOf, wrong } from './samples.js';
 
 const EYES = OBSERVERS.map(([name]) => name);
@@ -95,7 +95,7 @@ export class Light extends Instrument {
       notes: [],
       delta_e2000: null,
       observer,
-      interpolation,
+      interpolation: source.averages ? 'averages' : interpolation,
       unit: reflectance ? 'relative' : unit,
       file: source.file,
     };
@@ -103,23 +103,15 @@ export class Light extends Instrument {
     const missing = (keys, text) => keys.forEach((key) => note(key, text));
     const work = { source, sprague, eye, unit, note, missing };
     const extra = reflectance ? this.surface(reading, work, options.light ?? 'D65') : this.lamp(reading, work);
-    for (const key of [
-      'xy',
-      'uv1960',
-      'uv1976',
-      'cct_k',
-      'duv',
-      'lab',
-      'srgb',
-      'purity',
-      'cri_ra',
-      'tm30_rf',
-      'delta_e2000',
-    ]) {
+    // What ended in NaN or an infinity is null.
+    for (const [key, value] of Object.entries(reading)) {
+      const lost = Array.isArray(value) ? value.includes(null) : typeof value === 'number' && !Number.isFinite(value);
+      if (lost && key !== 'XYZ') reading[key] = null;
       if (reading[key] === null && !reading.notes.some((text) => text.startsWith(`${key}: `))) {
-        note(key, 'it is not defined for a spectrum with such negative values');
+        note(key, 'it is not defined for values that are so large or so negative');
       }
     }
+    if (reading.srgb === null) reading.hex = null;
     if (!reading.XYZ.every(Number.isFinite)) {
       throw wrong(source, 'its sums are too large for any number; check the values and the unit');
     }
@@ -129,7 +121,7 @@ export class Light extends Instrument {
   /** Takes XYZ and chromaticities from `out`, and adds the dominant wavelength. */
   color(reading, { eye, missing }, white) {
     const out = this.out.slice(0, 26);
-    reading.XYZ = Array.from(out.slice(0, 3), (x) => single(x) ?? NaN);
+    reading.XYZ = Array.from(out.slice(0, 3), (x) => double(x) ?? NaN);
     reading.xy = all(out.slice(6, 8));
     reading.uv1960 = all(out.slice(8, 10));
     reading.uv1976 = all(out.slice(10, 12));
@@ -229,7 +221,7 @@ export class Light extends Instrument {
     source.samples.forEach(([, value], k) => {
       if (value > 2) {
         throw new Error(
-          `${source.file}:${source.lines[k]}: '${source.name}' is ${value}, which is not a reflectance; ` +
+          `${source.file}:${source.lines[k]}: '${source.name}' is ${shortest(value)}, which is not a reflectance; ` +
             'give shares of 0..1, not percent or power',
         );
       }

@@ -8,6 +8,8 @@ export interface Source {
   lines: number[];
   /** At least two pairs of a wavelength in nm and a value; all are finite, and the wavelengths increase. */
   samples: [number, number][];
+  /** Whether the values are averages over bands around the wavelengths, whose edges lie half way between these. */
+  averages?: boolean;
 }
 
 /** A spectrum of 2 to 4096 samples: values at increasing wavelengths in nm, at any spacing. */
@@ -113,6 +115,10 @@ export interface Upsampled {
   /** For a desaturated color, the share that is kept of the way from gray to the wanted color. */
   kept: number | null;
   lights: { name: string; XYZ: Triple; lab: Triple; hex: string }[];
+  /** What the values of the spectrum are, which are no points of a curve. */
+  values_are: 'averages over bands';
+  /** Why values are null. */
+  notes: string[];
 }
 
 /** A transmittance or a reflectance; give one of `flat`, `points` and `absorbance_per_cm` (with `path_cm`). */
@@ -161,7 +167,8 @@ export interface SceneAnswer {
   leaving_spectrum: number[];
   XYZ: Triple;
   xy: Pair | null;
-  lab: Triple;
+  /** Null, with a note, if the lamp is no white. */
+  lab: Triple | null;
   hex: string;
   hex_is_clipped: boolean;
   lamp_hex: string;
@@ -187,6 +194,8 @@ export interface SceneAnswer {
   }[];
   walked: { multiply_adds: number; bytes: number };
   folded: { multiply_adds: number; bytes: number };
+  /** Why numbers are null, where it is not plain. */
+  notes: string[];
   /** The difference to the whole scene that switching parts off makes, and the price of the parts that are on. */
   shown: { off: number[]; delta_e2000: number | null; multiply_adds: number };
   budget: null | {

@@ -16,8 +16,12 @@ export const singles = (values) => Array.from(values, single);
 /** Returns several numbers with the fewest digits, or null if they are not defined. @param {ArrayLike<number>} values */
 export const all = (values) => (Number.isNaN(values[0]) ? null : singles(values));
 
-/** Returns a number with the fewest digits if it is an f32, and with all its digits otherwise. @param {number} x */
-export const double = (x) => (Math.fround(x) === x ? single(x) : x);
+/**
+ * Returns a number with the fewest digits if it is an f32, and with all its digits otherwise. Below the smallest normal
+ * f32 the fewest digits would be another number.
+ * @param {number} x
+ */
+export const double = (x) => (Math.fround(x) === x && (x === 0 || Math.abs(x) >= 2 ** -126) ? single(x) : x);
 
 /** Returns exactly three numbers, or throws. @param {Iterable<number>} given @param {string} what */
 export function three(given, what) {
@@ -41,8 +45,30 @@ export function plain(x) {
   return `${sign}0.${'0'.repeat(-shift - 1)}${whole}${part}`;
 }
 
+/** Returns a number with all its digits, or with an exponent if it is tiny or long. @param {number} x */
+export const shortest = (x) =>
+  x === 0 || (Math.abs(x) >= 1e-6 && Math.abs(x) < 1e9) ? plain(x) : x.toExponential().replace('+', '');
+
 /** Encodes a linear number of 0..1 by the curve of sRGB. @param {number} x linear */
 export const encoded = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 /** Decodes an encoded number; negative numbers mirror positive ones. @param {number} x encoded */
 export const decoded = (x) =>
   Math.abs(x) <= 0.04045 ? x / 12.92 : Math.sign(x) * ((Math.abs(x) + 0.055) / 1.055) ** 2.4;
+
+/**
+ * Adds to `notes` of an answer why its values are null, with the reasons for the paths of keys in `why`.
+ * @template T @param {T} answer @param {Record<string, string>} why @returns {T}
+ */
+export function explained(answer, why) {
+  const find = (value, path) => {
+    if (value === null) {
+      const reason = why[path] ?? 'the numbers that it follows from are too large, too small or not those of a light';
+      if (!answer.notes.some((note) => note.startsWith(`${path}: `))) answer.notes.push(`${path}: ${reason}`);
+    } else if (Array.isArray(value)) value.forEach((one) => find(one, path));
+    else if (typeof value === 'object') {
+      for (const [key, one] of Object.entries(value)) find(one, path ? `${path}.${key}` : key);
+    }
+  };
+  find(answer, '');
+  return answer;
+}

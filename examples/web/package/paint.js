@@ -1,6 +1,6 @@
 // The module `paint`: the spectrum of a surface for an RGB color, and its color under lamps.
 import { Instrument } from './instrument.js';
-import { all, hex, single, three } from './numbers.js';
+import { all, explained, hex, single, three } from './numbers.js';
 import { wrong } from './samples.js';
 
 const METHODS = ['sigmoid', 'basis', 'smits'];
@@ -35,7 +35,7 @@ export class Paint extends Instrument {
         hex: hex(this.out.slice(6, 9)),
       };
     });
-    return {
+    const answer = {
       rgb: rgb.map((c) => single(Math.fround(c))),
       method,
       first_nm: 380,
@@ -46,6 +46,9 @@ export class Paint extends Instrument {
       delta_e2000: single(out[84]),
       kept: single(out[85]),
       lights: looks,
+      values_are: 'averages over bands',
+      notes: [],
     };
+    return explained(answer, { kept: 'the color is not desaturated' });
   }
 }

@@ -1,6 +1,6 @@
 // Checks one measured spectrum, notes how it was used, and interpolates it in f64. The same code in Rust is in `source.rs`
 // and `exact.rs` of examples/cli/src/measure.
-import { plain } from './numbers.js';
+import { plain, shortest } from './numbers.js';
 import { BEYOND, quintic } from './sprague.js';
 
 const FIRST = 360,
@@ -50,7 +50,7 @@ export function checkReach(source) {
     : 'give a spectrum that reaches into this range';
   throw wrong(
     source,
-    `${plain(first)}..${plain(last)} nm is outside 360..830 nm, so nothing is visible; ${advice}`,
+    `${shortest(first)}..${shortest(last)} nm is outside 360..830 nm, so nothing is visible; ${advice}`,
   );
 }
 
@@ -60,9 +60,10 @@ export function remarks(source, sprague, hold) {
     first = samples[0][0],
     last = samples.at(-1)[0],
     said = [];
+  if (source.averages) said.push('the values are averages over bands, and the spectrum is constant within each');
   if (first > 380 || last < 780) {
     const fate = hold ? 'has the value of the nearest end' : 'counts as zero';
-    said.push(`the samples cover ${plain(first)}..${plain(last)} nm; what is outside ${fate}`);
+    said.push(`the samples cover ${shortest(first)}..${shortest(last)} nm; what is outside ${fate}`);
   }
   const inside = samples.filter(([nm]) => nm >= FIRST && nm <= LAST).length;
   const unread = samples.filter(([nm], k) => {
@@ -70,7 +71,7 @@ export function remarks(source, sprague, hold) {
       after = k + 1 < samples.length ? samples[k + 1][0] : nm;
     return !Number.isInteger(nm) && Math.floor(before) + 1 >= after && nm >= FIRST && nm <= LAST;
   }).length;
-  if (unread > 0 && !sprague) {
+  if (unread > 0 && !sprague && !source.averages) {
     said.push(
       `the steps are finer than 1 nm, but the sum reads whole nanometers: ${unread} of ${inside} samples ` +
         'do not count, and narrow lines between whole nanometers are missed',
@@ -82,10 +83,23 @@ export function remarks(source, sprague, hold) {
   if (negative > 0) said.push(`${negative} negative values are used as they are`);
   let widest = 0;
   for (let k = 1; k < samples.length; k++) widest = Math.max(widest, samples[k][0] - samples[k - 1][0]);
-  if (widest > 20) {
-    said.push(`the steps are up to ${plain(widest)} nm wide; what lies between the samples is unknown`);
+  if (widest > 20 && !source.averages) {
+    said.push(`the steps are up to ${shortest(widest)} nm wide; what lies between the samples is unknown`);
   }
   return said;
+}
+
+/**
+ * Returns the mean of averages over bands around a whole nanometer. The edges of the bands lie half way between the
+ * wavelengths, and `hold` says whether the end values go on outside.
+ * @param {[number, number][]} samples @param {number} nm @param {boolean} hold
+ */
+export function meanOf(samples, nm, hold) {
+  const n = samples.length,
+    edge = (k) => (k < 1 ? (3 * samples[0][0] - samples[1][0]) / 2 : k < n ? (samples[k - 1][0] + samples[k][0]) / 2 : (3 * samples[n - 1][0] - samples[n - 2][0]) / 2);
+  const overlap = (low, high) => Math.max(Math.min(high, nm + 0.5) - Math.max(low, nm - 0.5), 0);
+  const outside = hold ? samples[0][1] * overlap(-Infinity, edge(0)) + samples[n - 1][1] * overlap(edge(n), Infinity) : 0;
+  return samples.reduce((sum, [, value], k) => sum + value * overlap(edge(k), edge(k + 1)), outside);
 }
 
 /** Returns whether f32 rounds one of the wavelengths. @param {[number, number][]} samples */

@@ -1,7 +1,7 @@
 // The module `scene`, which follows light through filters, surfaces and other parts. The recipes and the messages are
 // those of examples/cli/src/scene.
 import { Instrument } from './instrument.js';
-import { hex, plain, single, singles } from './numbers.js';
+import { explained, hex, plain, single, singles } from './numbers.js';
 
 const f = Math.fround;
 const RADIANS = f(f(Math.PI) / 180);
@@ -284,7 +284,7 @@ export class Scene {
       this.parts.findLast(({ kind }) => !['filter', 'polarizer', 'retarder'].includes(kind))?.matt ?? false;
     const [illuminance, irradiance, exitance, radiosity, luminance, radiance] = singles(out.subarray(182, 188));
     const left = out[195];
-    return {
+    const answer = {
       title: recipe.title,
       lamp,
       eye: EYES[this.eye],
@@ -294,7 +294,7 @@ export class Scene {
       leaving_spectrum: singles(out.subarray(81, 162)),
       XYZ: singles(look.subarray(0, 3)),
       xy: Number.isNaN(look[3]) ? null : singles(look.subarray(3, 5)),
-      lab: singles(look.subarray(5, 8)),
+      lab: Number.isNaN(look[5]) ? null : singles(look.subarray(5, 8)),
       hex: hex(look.subarray(8, 11)),
       hex_is_clipped: look[11] === 1,
       lamp_hex: hex(look.subarray(12, 15)),
@@ -323,6 +323,7 @@ export class Scene {
       })),
       walked: { multiply_adds: out[178], bytes: out[179] },
       folded: { multiply_adds: out[180], bytes: out[181] },
+      notes: [],
       shown: { off, delta_e2000: single(out[188]), multiply_adds: out[189] },
       budget:
         budget === null
@@ -335,5 +336,17 @@ export class Scene {
               multiply_adds: out[191],
             },
     };
+    const white = 'X, Y or Z of the lamp is not above zero, so the lamp is no white, to which colors can be adapted';
+    const matter = 'the light leaves something that is not matt';
+    return explained(answer, {
+      xy: 'black has no chromaticity',
+      lab: white,
+      'bill.without_delta_e2000': white,
+      'shown.delta_e2000': white,
+      absolute: 'the lamp has no illuminance_lx',
+      'absolute.luminance_cd_m2': matter,
+      'absolute.radiance_w_m2_sr': matter,
+      budget: 'no budget is given',
+    });
   }
 }

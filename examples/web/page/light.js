@@ -1,5 +1,5 @@
 // The tab Colorimeter: a spectrum from a file, of a lamp or drawn by hand, and every number about it.
-import { parse } from './nanospectra/csv.js';
+import { cell, parse } from './nanospectra/csv.js';
 import { OBSERVERS } from './nanospectra/lists.js';
 import { figure, h, inPage, onWidth, options, saving, say, select } from './dom.js';
 import { drawing, drawnSource, hand } from './drawing.js';
@@ -32,7 +32,7 @@ function take(text, file) {
   sources = found;
   chosen = 0;
   const rows = found[0].samples.map(([nm], k) => [nm, ...found.map((source) => source.samples[k][1])].join('_'));
-  const heading = ['nm', ...found.map((source) => source.name.replace(/[_;,"]/g, ' '))].join('_');
+  const heading = [first(found[0]), ...found.map((source) => source.name.replace(/[_;,"]/g, ' '))].join('_');
   const packed = [heading, ...rows].join(';');
   remember({
     drawn: undefined,
@@ -120,7 +120,8 @@ function redraw() {
 const change = (key) => (value) => attempt(() => remember({ [key]: value }));
 
 /** The exports: the data as two columns, and all results. */
-const csv = () => [`nm,"${sources[chosen].name.replaceAll('"', '""')}"`, ...sources[chosen].samples.map((sample) => sample.join(','))].join('\n') + '\n';
+const first = (source) => (source.averages ? 'band-nm' : 'nm');
+const csv = () => [`${first(sources[chosen])},${cell(sources[chosen].name)}`, ...sources[chosen].samples.map((sample) => sample.join(','))].join('\n') + '\n';
 const json = () => {
   const { curve, tm30, scale, ...report } = reading;
   return `${JSON.stringify(report)}\n`;

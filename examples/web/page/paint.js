@@ -170,7 +170,7 @@ export async function build(section) {
   const json = () => answers.map((answer) => JSON.stringify(answer)).join('\n') + '\n';
   const csv = () =>
     [
-      'nm,sigmoid,basis,smits',
+      'band-nm,sigmoid,basis,smits',
       ...answers[0].spectrum.map((_, k) => [380 + 5 * k, ...answers.map((answer) => answer.spectrum[k])].join(',')),
     ].join('\n') + '\n';
   section.append(

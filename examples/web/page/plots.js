@@ -14,6 +14,7 @@ export function frame(
   [y0, y1, yStep],
   [xName, yName],
   digits = [0, 1],
+  number = (value, digits) => value.toFixed(digits),
 ) {
   const x = (value) => left + ((value - x0) / (x1 - x0)) * (right - left);
   const y = (value) => bottom - ((value - y0) / (y1 - y0)) * (bottom - top);
@@ -23,7 +24,7 @@ export function frame(
   for (const value of ticks(y0, y1, yStep)) {
     svg +=
       `<path class="rule" d="M${left} ${n(y(value))}H${right}"/>` +
-      `<text class="label" x="${left - 6}" y="${n(y(value) + 4)}" text-anchor="end">${value.toFixed(digits[1])}</text>`;
+      `<text class="label" x="${left - 6}" y="${n(y(value) + 4)}" text-anchor="end">${number(value, digits[1])}</text>`;
   }
   for (const value of ticks(x0, x1, xStep)) {
     svg +=
@@ -45,11 +46,21 @@ function rainbow(id, from, to) {
   return `<linearGradient id="${id}" x1="0" x2="1" y1="0" y2="0">${stops.join('')}</linearGradient>`;
 }
 
-/** Returns a round step that gives about four lines up to `top`. */
-function step(top) {
-  const size = 10 ** Math.floor(Math.log10(top / 4)),
-    part = top / 4 / size;
-  return size * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10);
+/**
+ * Returns the axis of any finite range: the number by which values are divided, its exponent of ten (0 if none is
+ * written), the ends, and a round step for about four lines up to the larger end.
+ */
+export function axis(low, high) {
+  const largest = Math.max(-low, high) || 1,
+    power = Math.floor(Math.log10(largest)),
+    exponent = power < -4 || power > 4 ? power : 0;
+  // The power of ten may itself be too large or too small for a number.
+  const half = Math.trunc(exponent / 2),
+    scaled = (value) => value / 10 ** half / 10 ** (exponent - half);
+  const [from, to] = [scaled(low), scaled(high > low ? high : low + largest)],
+    size = 10 ** Math.floor(Math.log10(scaled(largest) / 4)),
+    part = scaled(largest) / 4 / size;
+  return { scaled, exponent, from, to, step: size * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10) };
 }
 
 /**
@@ -63,17 +74,20 @@ export function spectrum(
 ) {
   const inside = samples.filter(([nm]) => nm >= from && nm <= to);
   const all = [...inside, ...lines.flatMap((line) => line.samples)];
-  const peak = top ?? Math.max(...all.map(([, value]) => value), 1e-12),
-    low = Math.min(0, ...all.map(([, value]) => value));
-  const each = step(peak),
-    digits = Math.max(0, -Math.floor(Math.log10(each) + 1e-9));
-  const { x, y, svg } = frame(
+  const highest = top ?? Math.max(0, ...all.map(([, value]) => value)),
+    lowest = Math.min(0, ...all.map(([, value]) => value));
+  const { scaled, exponent, from: low, to: peak, step } = axis(lowest, highest),
+    digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const drawing = frame(
     [44, 24, size[0] - 12, size[1] - 38],
     [from, to, size[0] < 500 ? 100 : 50],
-    [low, peak * (top ? 1 : 1.06), each],
+    [low, peak * (top ? 1 : 1.06), step],
     ['nm', yName],
-    [0, Math.min(digits, 4)],
+    [0, digits],
+    (value, digits) => value.toFixed(digits) + (exponent && value ? `e${exponent}` : ''),
   );
+  const { x, svg } = drawing,
+    y = (value) => drawing.y(scaled(value));
   const outline = inside.map(([nm, value]) => [x(nm), y(value)]);
   let drawn = `<defs>${rainbow(`${id}-colors`, from, to)}</defs>`;
   if (outline.length > 1) {
@@ -81,7 +95,7 @@ export function spectrum(
     // A gradient spans its shape, so it fills a rectangle over the whole axis that is clipped to the area.
     drawn +=
       `<clipPath id="${id}-clip"><path d="${path(area, true)}"/></clipPath>` +
-      `<rect x="${x(from)}" y="${y(peak * 1.06)}" width="${n(x(to) - x(from))}" height="${n(y(low) - y(peak * 1.06))}" ` +
+      `<rect x="${x(from)}" y="${drawing.y(peak * 1.06)}" width="${n(x(to) - x(from))}" height="${n(drawing.y(low) - drawing.y(peak * 1.06))}" ` +
       `fill="url(#${id}-colors)" opacity=".85" clip-path="url(#${id}-clip)"/><path class="ink" d="${path(outline)}"/>`;
   }
   let legend = size[0] - 12;
@@ -96,7 +110,7 @@ export function spectrum(
     }
   });
   if (cursor)
-    drawn += `<path class="thin dashed" d="M${n(x(cursor[0]))} ${y(peak)}V${y(0)}"/><circle cx="${n(x(cursor[0]))}" cy="${n(y(cursor[1]))}" r="6" class="ink"/>`;
+    drawn += `<path class="thin dashed" d="M${n(x(cursor[0]))} ${drawing.y(peak)}V${y(0)}"/><circle cx="${n(x(cursor[0]))}" cy="${n(y(cursor[1]))}" r="6" class="ink"/>`;
   return { inside: svg + drawn, x, y };
 }
 

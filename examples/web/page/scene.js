@@ -127,7 +127,7 @@ function work() {
         'tr',
         {},
         h('th', { scope: 'row' }, name),
-        h('td', {}, Array.isArray(value) ? value.join(', ') : String(value)),
+        h('td', {}, Array.isArray(value) ? value.join(', ') : value === null ? 'none' : String(value)),
       ),
     ),
   );
@@ -179,7 +179,7 @@ export async function build(section) {
   const json = () => `${JSON.stringify(answer)}\n`;
   const csv = () =>
     [
-      'nm,lamp,leaving',
+      'band-nm,lamp,leaving',
       ...answer.lamp_spectrum.map((value, k) => [380 + 5 * k, value, answer.leaving_spectrum[k]].join(',')),
     ].join('\n') + '\n';
   section.append(

@@ -5,8 +5,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test, { before } from 'node:test';
 import { load } from '../dist/nanospectra/nanospectra.js';
-import { parse } from '../dist/nanospectra/csv.js';
+import { cell, parse } from '../dist/nanospectra/csv.js';
 import { OBSERVERS } from '../dist/nanospectra/lists.js';
+import { setEye } from '../page/color.js';
+import { spectrum } from '../page/plots.js';
 import { scenes } from '../tools/scenes.mjs';
 import { toml } from '../tools/toml.mjs';
 import * as host from './host.mjs';
@@ -129,7 +131,7 @@ for (const [name, simd] of BUILDS) {
   test(`${name}: scenes are those of the command line`, () => {
     const compare = (title, recipe, expected) => {
       const answer = loaded.get(simd).scene.scene(recipe).answer({ budget: 2 });
-      for (const known of Object.keys(answer).filter((known) => known in expected && known !== 'bill')) {
+      for (const known of Object.keys(answer).filter((known) => known in expected && !['bill', 'notes'].includes(known))) {
         assert.deepEqual(answer[known], expected[known], `${title}: ${known}`);
       }
       answer.bill.forEach(({ without_hex, ...line }, k) =>
@@ -340,6 +342,62 @@ test('headings, separators, comments and quotes are read as the command line rea
     const expected = host.json('measure', ['-'], text);
     parse(text, 'stdin').forEach((source, k) => same(loaded.get(true).light.spectrum(source), expected[k]));
   }
+});
+
+test('averages over bands are read as the command line reads them', () => {
+  const text = 'band-nm,a,b\n400,0.1,0.9\n420,0.3,0.2\n450,0.5,0.1\n600,0.2,0.7\n';
+  for (const [options, args] of [[{}, []], [{ unit: 'absolute' }, ['--unit', 'absolute']], [{ reflectance: true }, ['--reflectance']]]) {
+    const expected = host.json('measure', [...args, '-'], text);
+    parse(text, 'stdin').forEach((source, k) => same(loaded.get(true).light.spectrum(source, options), expected[k]));
+  }
+});
+
+test('a painted spectrum gives its color back when it is measured', () => {
+  const { light, paint } = loaded.get(true);
+  const { spectrum, lights } = paint.upsample([0.8, 0.2, 0.1]);
+  const table = ['band-nm,paint', ...spectrum.map((value, k) => `${380 + 5 * k},${value}`)].join('\n');
+  const { XYZ } = light.spectrum(parse(table)[0], { reflectance: true });
+  XYZ.forEach((value, k) => assert.ok(Math.abs(value / lights[0].XYZ[k] - 1) < 1e-5, `${XYZ} is not ${lights[0].XYZ}`));
+});
+
+test('numbers of every size are those of the command line', () => {
+  for (const size of ['1e-310', '5e-324', '1e-45', '3.4e38', '1e39', '1e300', '-1e30']) {
+    const text = `nm,a\n380,${size}\n780,${size}\n`;
+    for (const [options, args] of [[{ unit: 'absolute' }, ['--unit', 'absolute']], [{ reflectance: true }, ['--reflectance']]]) {
+      const done = host.run('measure', ['--json', ...args, '-'], text);
+      const measured = () => loaded.get(true).light.spectrum(parse(text, 'stdin')[0], options);
+      if (done.status === 0) same(measured(), JSON.parse(done.stdout));
+      else assert.throws(measured, /stdin:2: 'a'/);
+    }
+  }
+});
+
+test('a lamp that is no white is said to be none', () => {
+  const { scene } = loaded.get(true);
+  const answer = scene.scene({ lamp: { points: [[690, 0], [700, 1], [710, 0]] }, part: [{ filter: { flat: 0.5 } }] }).answer();
+  // The eye of CIE 1931 has no Z there, and what the folded one has is rounding.
+  if (answer.lab === null) assert.ok(answer.notes.some((note) => /^lab: .* no white/.test(note)), answer.notes.join());
+  else assert.ok(answer.lab.every(Number.isFinite));
+  const text = JSON.stringify(answer);
+  for (const [key] of text.matchAll(/"\w+":null/g)) {
+    const name = key.slice(1, -6);
+    assert.ok(answer.notes.some((note) => note.split(': ')[0].split('.').at(-1) === name), `${name} has no note`);
+  }
+});
+
+test('plots of every size have finite places and numbers that differ', () => {
+  setEye(new Float32Array(3 * 471).fill(1));
+  for (const size of [5e-324, 1e-310, 1e-45, 1, 99999, 3.4e38, Number.MAX_VALUE, 0, -1e30, -Number.MAX_VALUE]) {
+    const { inside } = spectrum([[380, size], [600, size / 2], [780, 0]], 'power');
+    assert.doesNotMatch(inside, /NaN|Infinity|undefined/);
+    const numbers = [...inside.matchAll(/text-anchor="end">([^<]*)<\/text>/g)].map(([, text]) => text);
+    assert.ok(numbers.length < 30 && new Set(numbers).size === numbers.length, `${size}: ${numbers}`);
+  }
+});
+
+test('a name in a table is no formula', () => {
+  for (const start of ['=', '+', '-', '@', '\t', '\r']) assert.equal(cell(`${start}1+2`), `"'${start}1+2"`);
+  assert.equal(cell('a "b", c'), '"a ""b"", c"');
 });
 
 test('samples that are no spectrum are an Error with the words of the crate', () => {

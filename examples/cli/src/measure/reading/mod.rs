@@ -219,7 +219,7 @@ impl Reading {
         self.tm30_rf.take_if(|value| is_lost("tm30_rf", value.is_finite()));
         self.tm30_rg.take_if(|value| is_lost("tm30_rg", value.is_finite()));
         self.melanopic_edi_ratio.take_if(|value| is_lost("melanopic_edi_ratio", value.is_finite()));
-        self.missing(&lost, "it is too large for a number, or follows from one that is");
+        self.missing(&lost, "it is not defined for values that are so large or so negative");
     }
 
     /// Adds a note for each number that is missing without one, because the values are too extreme for its
@@ -240,7 +240,7 @@ impl Reading {
         ];
         for (key, is_missing) in missing {
             if is_missing && !self.notes.iter().any(|note| note.key == key) {
-                self.note(key, "it is not defined for a spectrum with such negative values");
+                self.note(key, "it is not defined for values that are so large or so negative");
             }
         }
     }
