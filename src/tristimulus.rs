@@ -138,6 +138,18 @@ impl Xyz {
         Xyz { x: self.x * k, y: self.y * k, z: self.z * k }
     }
 
+    /// Returns a sum over X, Y and Z, and the color that it was taken of: this one, or a part of it if the sum
+    /// would overflow.
+    #[inline(always)]
+    fn in_range(self, sum: impl Fn(Self) -> f32) -> (Self, f32) {
+        let whole = sum(self);
+        if whole <= f32::MAX {
+            return (self, whole);
+        }
+        let part = self.scaled(1.0 / 32.0);
+        (part, sum(part))
+    }
+
     /// Returns the color that has the same chromaticity and whose Y is `y`.
     ///
     /// `with_y(100.0)` brings a light to the scale on which it is its own white. The result is `None` when
@@ -164,9 +176,8 @@ impl Xyz {
     /// ```
     #[must_use]
     pub fn xy(self) -> Option<Xy> {
-        // A part of each, so that the sum is in range for every color.
-        let Xyz { x, y, z } = self.scaled(0.25);
-        let sum = x + y + z;
+        let sum = |Xyz { x, y, z }| x + y + z;
+        let (Xyz { x, y, .. }, sum) = self.in_range(sum);
         if sum <= 0.0 {
             return None;
         }
@@ -178,13 +189,12 @@ impl Xyz {
     /// The result is `None` for black. NaN stays NaN.
     #[must_use]
     pub fn uv1960(self) -> Option<Uv1960> {
-        // A small part of each, so that the sum is in range for every color.
-        let Xyz { x, y, z } = self.scaled(1.0 / 32.0);
-        let sum = x + 15.0 * y + 3.0 * z;
+        let sum = |Xyz { x, y, z }| x + 15.0 * y + 3.0 * z;
+        let (Xyz { x, y, .. }, sum) = self.in_range(sum);
         if sum <= 0.0 {
             return None;
         }
-        Some(Uv1960 { u: 4.0 * x / sum, v: 6.0 * y / sum })
+        Some(Uv1960 { u: 4.0 * (x / sum), v: 6.0 * y / sum })
     }
 
     /// Computes the coordinates u', v' of the CIE 1976 diagram.

@@ -150,12 +150,15 @@ impl Uv1960 {
         self.nearest_of(&FINE_LOCUS)
     }
 
-    /// Finds the place that is nearest on a locus of `KNOTS` knots.
-    #[inline(always)]
-    fn nearest_of<const KNOTS: usize>(self, locus: &'static [[f32; 4]; KNOTS]) -> Cct {
+    /// Finds the place that is nearest on a locus with these knots. (It is one function in a web page, where bytes
+    /// count, and on other targets a function of its own for each locus.)
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    fn nearest_of(self, locus: &'static [[f32; 4]]) -> Cct {
+        let pieces = locus.len() - 1;
         // Halve the table until one segment is left. This works because the normals at the knots do not
         // cross each other where a temperature is defined.
-        let (mut segment, mut left) = (0, KNOTS - 1);
+        let (mut segment, mut left) = (0, pieces);
         while left > 1 {
             let half = left / 2;
             if locus.get(segment + half).is_some_and(|knot| along(knot, self) >= 0.0) {
@@ -164,7 +167,7 @@ impl Uv1960 {
             left -= half;
         }
         let Some([from, to]) = locus.get(segment..).and_then(|rest| rest.first_chunk()) else {
-            return Cct::OffLocus; // never happens, because segment < KNOTS - 1
+            return Cct::OffLocus; // never happens, because segment < pieces
         };
         let (first, last) = (along(from, self), along(to, self));
         // After the search the point lies between the two knots, unless it is beyond an end of the table.
@@ -178,7 +181,7 @@ impl Uv1960 {
         // segment: that is where the Newton step starts.
         let (s, duv) = Segment::between(from, to).nearest(self, first / (first - last));
         if duv.abs() <= MAX_DUV {
-            let place = (segment as f32 + s) * ((LOCUS.len() - 1) as f32 / (KNOTS - 1) as f32);
+            let place = (segment as f32 + s) * (SEGMENTS as f32 / pieces as f32);
             Cct::Near { cct_k: 1e6 / (FIRST + place * (LINEAR + CUBIC * place * place)), duv }
         } else if self.u.is_nan() || self.v.is_nan() {
             Cct::Near { cct_k: f32::NAN, duv: f32::NAN }

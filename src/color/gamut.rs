@@ -78,15 +78,15 @@ impl<S: RgbSpace> Rgb<S> {
     /// ```
     #[must_use]
     pub fn desaturate(self) -> GamutMapped<S> {
+        if self.in_gamut() {
+            return self.mapped(self.to_array());
+        }
         let gray = self.luminance();
         if gray >= 1.0 {
             return self.mapped([1.0; 3]);
         }
         if gray <= 0.0 {
             return self.mapped([0.0; 3]);
-        }
-        if self.in_gamut() {
-            return self.mapped(self.to_array());
         }
         let mut keep: f32 = 1.0;
         for c in self.to_array() {

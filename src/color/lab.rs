@@ -135,16 +135,14 @@ impl Xyz {
         let compressed = |t| if t > KNEE { cbrt(t) - OFFSET } else { KAPPA / 116.0 * t };
         let [fx, fy, fz] = [x, y, z].map(compressed);
         // A difference of cube roots, p - q, is computed as (p^3 - q^3) / (p^2 + p q + q^2), so that nothing
-        // cancels near gray. If one ratio is on the straight part, the plain difference is taken.
-        let difference = |[s, t]: [f32; 2], [fs, ft]: [f32; 2]| {
-            if s > KNEE && t > KNEE {
-                let (p, q) = (fs + OFFSET, ft + OFFSET);
-                (s - t) / (p * p + p * q + q * q)
-            } else {
-                fs - ft
-            }
+        // cancels near gray. If a ratio is on the straight part, the plain difference is taken.
+        let (a, b) = if x > KNEE && y > KNEE && z > KNEE {
+            let [x3, y3, z3] = [fx + OFFSET, fy + OFFSET, fz + OFFSET];
+            let squares = |s: f32, t: f32| s * s + s * t + t * t;
+            ((x - y) / squares(x3, y3), (y - z) / squares(y3, z3))
+        } else {
+            (fx - fy, fy - fz)
         };
-        let (a, b) = (difference([x, y], [fx, fy]), difference([y, z], [fy, fz]));
         Some(Lab { l: 116.0 * fy, a: 500.0 * a, b: 200.0 * b })
     }
 }
