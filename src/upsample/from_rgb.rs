@@ -93,7 +93,7 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
     /// On grids of 31 bands or more that cover 400..=700 nm, the color is within 3e-4 CIEDE2000 of that in
     /// [`RgbBands`], for every color that a sigmoid can have; on fewer bands, but at least 6, it can be a few
     /// times as far off. From 16 bands on a sigmoid can have all colors of sRGB. Any other color is replaced
-    /// by the nearest one in the sense of least squares, and a surface brighter than white becomes white.
+    /// by the nearest one in the sense of CIEDE2000, and a surface brighter than white becomes white.
     /// Call [`Sigmoid`] yourself to be told by a [`Status`](crate::upsample::Status). An observer that is
     /// folded by another curve than [`Observer::standard`] sees another color, most of all on few bands. On a
     /// grid NaN, infinities and a light above 1.7e38 give NaN. After further surfaces and under other lights

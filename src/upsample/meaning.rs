@@ -120,6 +120,11 @@ impl SigmoidReflectance {
         SigmoidReflectance { shape: Shape { q: [0.0; 3] }, scale: 2.0 * share, complement: false }
     }
 
+    /// Returns the reflectance that is a sigmoid itself.
+    pub(super) const fn of(q: [f32; 3]) -> Self {
+        SigmoidReflectance { shape: Shape { q }, scale: 1.0, complement: false }
+    }
+
     #[inline(always)]
     fn offset_and_scale(self) -> (f32, f32) {
         if self.complement { (1.0, -self.scale) } else { (0.0, self.scale) }

@@ -74,7 +74,10 @@
 //! (1999).
 
 mod basis;
+mod descent;
 mod display;
+mod edges;
+mod far;
 mod from_rgb;
 mod kubelka_munk;
 mod meaning;
@@ -82,8 +85,10 @@ mod metamer;
 mod newton;
 mod problem;
 mod rsqrt;
+mod seen;
 mod shape;
 mod sigmoid;
+mod simplex;
 mod smits;
 mod start;
 mod status;

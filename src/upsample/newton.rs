@@ -15,7 +15,7 @@ use crate::upsample::start::StartMap;
 pub(super) type Rows<const N: usize> = [[f32; 4]; N];
 
 /// A and the sums with x^2, x and 1, for each response.
-type Sums = [[f32; 4]; 3];
+pub(super) type Sums = [[f32; 4]; 3];
 
 /// A step is the last one if it starts nearer to the goal than this, summed over the three u. It ends within
 /// 3e-6 of the goal.
@@ -29,8 +29,6 @@ const STEEP: f32 = 64.0;
 const STEPS: usize = 8;
 /// The largest number of damped steps, for colors that undamped steps do not find.
 const DAMPED_STEPS: usize = 40;
-/// The largest number of steps to the nearest color, for colors that no curve has.
-const NEAREST_STEPS: usize = 40;
 /// The longest damped step that starts at q = 0. A quarter of the size of q is added to it.
 const LONGEST: f32 = 8.0;
 /// Responses that are nearer to 0 or 1 than this are replaced by this.
@@ -80,11 +78,11 @@ pub(super) fn exact<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
     None
 }
 
-/// Returns the curve of one color.
+/// Returns the curve of one color, if undamped or damped steps find it.
 #[inline(always)]
-pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Found {
+pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32; 3]) -> Option<Found> {
     match exact::<N, M>(rows, responses) {
-        Some(q) => settled(rows, q),
+        Some(q) => Some(settled(rows, q)),
         None => damped(rows, responses),
     }
 }
@@ -94,7 +92,7 @@ pub(super) fn solve<const N: usize, M: StartMap>(rows: &Rows<N>, responses: [f32
 pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     rows: &Rows<N>,
     responses: &[[f32; 3]; L],
-) -> [Found; L] {
+) -> [Option<Found>; L] {
     let (mut u, mut q) = ([[0.0; L]; 3], [[0.0; L]; 3]);
     for l in 0..L {
         let lane = goal(responses[l]);
@@ -119,10 +117,10 @@ pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
             break;
         }
     }
-    let mut found = [([0.0; 3], None); L];
+    let mut found = [None; L];
     for l in 0..L {
         found[l] = if open[l] == 0.0 && possible(responses[l]) {
-            settled(rows, [q[0][l], q[1][l], q[2][l]])
+            Some(settled(rows, [q[0][l], q[1][l], q[2][l]]))
         } else {
             damped(rows, responses[l])
         };
@@ -130,12 +128,14 @@ pub(super) fn solve_some<const L: usize, const N: usize, M: StartMap>(
     found
 }
 
-/// Returns the curve that up to forty steps of limited length find from q = 0, or else the nearest one.
+/// Returns the curve that up to forty steps of limited length find from q = 0.
 #[inline(never)]
-fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
+fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Option<Found> {
+    if !possible(asked) {
+        return None;
+    }
     let (u, mut q) = (goal(asked), [0.0; 3]);
-    let steps = if possible(asked) { DAMPED_STEPS } else { 0 };
-    for _ in 0..steps {
+    for _ in 0..DAMPED_STEPS {
         let step = step(&sums(rows, q), u);
         let (length, longest) = (size(&step.q), LONGEST + 0.25 * size(&q));
         if !length.is_finite() {
@@ -146,11 +146,10 @@ fn damped<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> Found {
             *q += part * step;
         }
         if is_last(&q, &step) {
-            return settled(rows, q);
+            return Some(settled(rows, q));
         }
     }
-    let q = nearest(rows, asked);
-    (q, Some(responses(rows, q)))
+    None
 }
 
 /// Returns a curve after its last step. The responses of a steep curve may be off by rounding in f32, and
@@ -162,56 +161,13 @@ fn settled<const N: usize>(rows: &Rows<N>, q: [f32; 3]) -> Found {
 
 /// Returns the responses of a curve. Small ones are exact to their last digits.
 #[inline(never)]
-fn responses<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> [f32; 3] {
+pub(super) fn responses<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> [f32; 3] {
     let mut sums = [0.0; 3];
     for [w0, w1, w2, x] in rows {
         let share = sigmoid((q0 * x + q1) * x + q2);
         sums = [sums[0] + w0 * share, sums[1] + w1 * share, sums[2] + w2 * share];
     }
     sums
-}
-
-/// Returns the curve whose responses are nearest to those asked for, by the method of Levenberg and
-/// Marquardt.
-///
-/// The squares of the differences are divided by the responses asked for, which makes their sum roughly
-/// proportional to the visible difference.
-fn nearest<const N: usize>(rows: &Rows<N>, asked: [f32; 3]) -> [f32; 3] {
-    let asked = asked.map(within);
-    let weights = asked.map(|a| 1.0 / (if a > 0.01 { a } else { 0.01 }));
-    let missing = |q| {
-        let [a, b, c] = responses(rows, q);
-        [a - asked[0], b - asked[1], c - asked[2]]
-    };
-    let cost = |[a, b, c]: [f32; 3]| weights[0] * a * a + weights[1] * b * b + weights[2] * c * c;
-    let mut q = [0.0; 3];
-    let mut left = missing(q);
-    let mut damping = 1e-2;
-    for _ in 0..NEAREST_STEPS {
-        // The normal equations. The sums are twice the derivatives of the responses, which the step accounts
-        // for.
-        let ([mut aa, mut ab, mut ac, mut bb, mut bc, mut cc], mut y) = ([0.0; 6], [0.0; 3]);
-        for (([_, a, b, c], left), weight) in sums(rows, q).iter().zip(left).zip(weights) {
-            (aa, ab, ac) = (aa + weight * a * a, ab + weight * a * b, ac + weight * a * c);
-            (bb, bc, cc) = (bb + weight * b * b, bc + weight * b * c, cc + weight * c * c);
-            let back = -2.0 * weight * left;
-            y = [y[0] + back * a, y[1] + back * b, y[2] + back * c];
-        }
-        let more = 1.0 + damping;
-        let step = solved(&[[aa * more, ab, ac], [ab, bb * more, bc], [ac, bc, cc * more]], y);
-        let trial = [q[0] + step[0], q[1] + step[1], q[2] + step[2]];
-        let left_there = missing(trial);
-        if cost(left_there) < cost(left) {
-            (q, left) = (trial, left_there);
-            damping *= 0.3;
-        } else {
-            damping *= 4.0;
-            if damping > 1e6 {
-                break;
-            }
-        }
-    }
-    q
 }
 
 /// Returns whether the curve is exact after this step.
@@ -298,7 +254,7 @@ fn sums_of_lanes<const L: usize, const N: usize>(
 /// Returns the twelve sums of one color, on targets without vectors.
 #[cfg(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128"))))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
+pub(super) fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     sums_of_lanes(rows, &[[q0], [q1], [q2]]).map(|row| row.map(|[sum]| sum))
 }
 
@@ -308,7 +264,7 @@ fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
 #[cfg(not(any(target_os = "none", all(target_arch = "wasm32", not(target_feature = "simd128")))))]
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
+pub(super) fn sums<const N: usize>(rows: &Rows<N>, [q0, q1, q2]: [f32; 3]) -> Sums {
     let mut terms = [[0.0; N]; 4];
     let [t0, t1, t2, t3] = &mut terms;
     let places = t0.iter_mut().zip(t1).zip(t2).zip(t3);

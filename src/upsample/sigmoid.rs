@@ -28,20 +28,28 @@ use core::marker::PhantomData;
 ///   reflectance, a color brighter than white becomes white and one darker than black becomes black, and the
 ///   [`Status`] says so.
 /// * If a component is NaN or infinite, the spectrum is NaN, and the status says so.
-/// * The spectrum of `k` times a dark color (largest component below 1/2) is `k` times its spectrum.
+/// * The spectrum of `k` times a dark color (largest component below 1/2) is `k` times its spectrum, unless
+///   only a sigmoid without a scale has one of the two.
 ///
 /// # Accuracy
 /// On `Nodes<400, 700>` N = 31, `Bins<400, 700>` N = 60 and `Nodes<380, 780>` N = 81, every one of the 2^24
 /// 8-bit sRGB colors is found so that the CIE 1931 observer sees its code again. The color is within 0.00042
 /// (`CubicStart`), 0.00035 (`LinearStart`) and 0.00034 CIEDE2000 (`QuinticStart`) (`tests/upsample/all.rs`).
 ///
-/// Of a cube of 17^3 colors, encoded by the sRGB curve, a spectrum is found on 81 bands for 96.3 % in Display
-/// P3, 78.2 % in BT.2020, 95.8 % in Adobe RGB and 68.4 % in ACEScg. On 31 bands it is 95.9 % in Display P3
-/// and 77.4 % in BT.2020; in BT.2020 encoded by BT.1886 it is 74.6 %. No sigmoid of a quadratic has the other
-/// colors, and the status says so.
+/// Of a cube of 17^3 colors, encoded by the sRGB curve, a spectrum is found on 81 bands for 96.5 % in Display
+/// P3, 79.6 % in BT.2020, 95.8 % in Adobe RGB and 69.6 % in ACEScg. On 31 bands it is 96.2 % in Display P3
+/// and 79.0 % in BT.2020; in BT.2020 encoded by BT.1886 it is 77.2 %. No sigmoid of a quadratic was found for
+/// the other colors, and the status says so.
 ///
 /// With fewer than 31 bands, or with bands wider than 10 nm, more colors need damped steps. With N = 16 all
 /// colors of sRGB are found.
+///
+/// # Colors out of reach
+/// Where Newton's method finds no curve, a search of all sigmoids follows, and then one of the spectra at
+/// their limit, which are 1 in a band of wavelengths and 0 elsewhere, or the other way round. No surface of
+/// any kind has colors beyond this limit. Of the cubes above and one of ProPhoto RGB, no color is called
+/// unreachable for which a search in f64 finds a sigmoid. The CIEDE2000 difference of the nearest color is
+/// within 2 % of the least that any surface has, or within 0.025 of it (`tests/upsample/reach.rs`).
 ///
 /// # Cost
 /// A color takes 2 to 6 steps of Newton's method. At N = 31 that is 385 ns in the mean on x86-64, and 4500
@@ -53,9 +61,9 @@ use core::marker::PhantomData;
 /// Graphics Forum 38 (2019), for the family of curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sigmoid<const N: usize, G = Bins<380, 730>, S = Srgb, M = CubicStart> {
-    rows: Rows<N>,
+    pub(super) rows: Rows<N>,
     /// The matrix from RGB to responses.
-    response: [[f32; 3]; 3],
+    pub(super) response: [[f32; 3]; 3],
     /// The responses of white before they are scaled to 1.
     white: [f32; 3],
     kind: PhantomData<(G, S, M)>,
@@ -117,11 +125,10 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// Returns a reflectance for a color in linear RGB, the nearest in the sense of least squares if no
-    /// sigmoid has the color.
+    /// Returns a reflectance for a color in linear RGB, or if none is found, the one whose color is nearest in
+    /// the sense of CIEDE2000.
     ///
-    /// The primaries of BT.2020, which no sigmoid has, are met within 2.5 to 9.6 CIEDE2000. For components
-    /// within 0..=1 the result is in the mean nearer to the color than that of
+    /// For components within 0..=1 the result is nearer to the color than that of
     /// [`desaturated`](Self::desaturated). For components above 1 its hue changes; take
     /// [`unbounded`](Self::unbounded) for them.
     ///
@@ -136,15 +143,16 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     }
 
     /// Returns a reflectance for a color in linear RGB, which is mixed with the gray of its luminance if no
-    /// sigmoid has the color.
+    /// sigmoid is found for the color.
     ///
     /// As little gray is added as possible, to within 1/1000 of the way from gray to the color. So the
     /// luminance and the direction from gray stay, and the saturation is reduced. A color brighter than white
     /// becomes white, and one with a luminance below 0 becomes black. See the [example](Self::new) of `new`.
     ///
     /// # Cost
-    /// A color that no sigmoid has takes eleven times as long as by [`reflectance`](Self::reflectance), which
-    /// takes 88 steps for it. On a Cortex-M4F it takes 840 bytes of stack at opt-level 3, and 1,080 at "s".
+    /// A color for which no sigmoid is found takes up to 10 further searches of sigmoids, beside the one for
+    /// the nearest that [`reflectance`](Self::reflectance) makes. That search compares about 500 colors.
+    /// On a Cortex-M4F it takes 840 bytes of stack at opt-level 3, and 1,080 at "s".
     #[must_use]
     pub fn desaturated(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let first = self.reflectance(rgb);
@@ -165,10 +173,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             let trial = kept + part;
             let mixed = rgb.to_array().map(|c| gray + trial * (c - gray));
             let mixed = Rgb::new(mixed[0], mixed[1], mixed[2]);
-            let solved = self.reflectance(mixed);
-            if solved.status == Status::Exact {
+            if let Some(spectrum) = self.exact(mixed) {
                 kept = trial;
-                best = at(solved.spectrum, kept, mixed);
+                best = at(spectrum, kept, mixed);
             }
             part *= 0.5;
         }
@@ -259,6 +266,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
 
     /// Returns the reflectance that has exactly this color, if undamped steps of Newton's method find one.
     ///
+    /// `None` does not mean that no sigmoid has the color: [`reflectance`](Self::reflectance) searches further.
+    ///
     /// This is the solver alone, for programs that have to be small. `rgb` is linear, and the grid has 6
     /// bands or more. The result has the same bits as that of [`reflectance`](Self::reflectance).
     ///
@@ -304,24 +313,41 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         &self,
         asked: Rgb<S>,
         problem: Problem,
-        solve: impl FnOnce([f32; 3]) -> Found,
+        solve: impl FnOnce([f32; 3]) -> Option<Found>,
     ) -> Solved<SigmoidReflectance> {
+        match self.answered(asked, problem, solve) {
+            Some(solved) => solved,
+            None => self.far(asked),
+        }
+    }
+
+    /// Returns the spectrum if `solve` finds the curve, or if the problem has none.
+    #[inline(always)]
+    pub(super) fn answered(
+        &self,
+        asked: Rgb<S>,
+        problem: Problem,
+        solve: impl FnOnce([f32; 3]) -> Option<Found>,
+    ) -> Option<Solved<SigmoidReflectance>> {
         let (responses, scale, complement) = match problem {
-            Problem::Done(share, exact) => return self.done(asked, share, exact),
+            Problem::Done(share, exact) => return Some(self.done(asked, share, exact)),
             Problem::Solve { responses, scale, complement } => (responses, scale, complement),
         };
-        let (q, given) = solve(responses);
+        let (q, given) = solve(responses)?;
         let spectrum = SigmoidReflectance { shape: Shape { q }, scale, complement };
-        let Some(given) = given else { return Solved { spectrum, status: Status::Exact } };
-        let status = if complement {
-            let miss = self.miss(asked, given.map(|a| 1.0 - scale * a));
-            status_of(miss, miss)
-        } else {
-            // Dark colors are compared after they have been enlarged, since as they are any two look alike.
-            let miss = self.miss(asked, given.map(|a| scale * a));
-            status_of(miss, Miss { asked: self.xyz(responses), given: self.xyz(given), ..miss })
-        };
-        Solved { spectrum, status }
+        if let Some(given) = given {
+            let miss = if complement {
+                self.miss(asked, given.map(|a| 1.0 - scale * a))
+            } else {
+                // Dark colors are compared after they have been enlarged, since as they are any two look
+                // alike.
+                Miss { asked: self.xyz(responses), given: self.xyz(given), white: self.xyz([1.0; 3]) }
+            };
+            if !miss.is_nothing() {
+                return None;
+            }
+        }
+        Some(Solved { spectrum, status: Status::Exact })
     }
 
     /// Returns the spectrum and the status of a constant.
@@ -332,14 +358,14 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             Status::NotFinite
         } else {
             let miss = self.miss(asked, [share; 3]);
-            status_of(miss, miss)
+            if miss.is_nothing() { Status::Exact } else { Status::Unreachable(miss) }
         };
         Solved { spectrum: SigmoidReflectance::gray(share), status }
     }
 
     /// Returns the color that was asked for beside the one that has the responses `given`.
     #[inline(never)]
-    fn miss(&self, asked: Rgb<S>, given: [f32; 3]) -> Miss {
+    pub(super) fn miss(&self, asked: Rgb<S>, given: [f32; 3]) -> Miss {
         Miss { asked: self.xyz_of(asked), given: self.xyz(given), white: self.xyz([1.0; 3]) }
     }
 
@@ -352,17 +378,11 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     }
 
     /// Returns X, Y and Z of responses, as shares of the Y of white.
-    fn shares(&self, [a, b, c]: [f32; 3]) -> [f32; 3] {
+    pub(super) fn shares(&self, [a, b, c]: [f32; 3]) -> [f32; 3] {
         static TO_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&widened(&RESPONSES)));
         let [u, v, w] = self.white;
         apply(&TO_XYZ, [u * a, v * b, w * c])
     }
-}
-
-/// Returns `Exact` if the two colors of `seen` cannot be told apart, and else a status with `miss`.
-#[inline(never)]
-fn status_of(miss: Miss, seen: Miss) -> Status {
-    if seen.is_nothing() { Status::Exact } else { Status::Unreachable(miss) }
 }
 
 const fn widened(m: &[[f32; 3]; 3]) -> Matrix64 {

@@ -23,8 +23,12 @@ pub struct Solved<T> {
 #[non_exhaustive]
 pub enum Status {
     /// The spectrum has the color, within 0.002 CIEDE2000.
+    ///
+    /// Colors whose X, Y and Z are all below a thousandth of those of white are compared as if they were
+    /// brighter, since any two of them would look alike.
     Exact,
-    /// No sigmoid has the color, and the spectrum has a less saturated color of the same luminance instead.
+    /// No sigmoid was found for the color, and the spectrum has a less saturated color of the same luminance
+    /// instead.
     ///
     /// Its color lies on the straight line from the gray of that luminance to the color that was asked for.
     /// If there is no such gray, it is black or white.
@@ -35,11 +39,12 @@ pub enum Status {
         /// The color that was asked for and the one that the spectrum has.
         miss: Miss,
     },
-    /// No sigmoid has the color, and the spectrum has the nearest color in the sense of least squares.
+    /// No sigmoid was found within 0.002 CIEDE2000 of the color, and the spectrum is the nearest that was
+    /// found in this sense.
     ///
-    /// Near the limit of the colors that sigmoids have, f32 cannot decide whether one has the color. A
-    /// spectrum with this status may then be as near as 0.0005 CIEDE2000, or as far as 0.2 where an exact one
-    /// exists in f64.
+    /// The search covers sigmoids with a scale, as bright and dark colors use them, and all without. Its
+    /// accuracy and how rarely it fails are told by
+    /// [`Sigmoid`](crate::upsample::Sigmoid#colors-out-of-reach).
     Unreachable(Miss),
     /// A component is NaN or infinite, or so large that the spectrum would be infinite; the spectrum is NaN.
     NotFinite,

@@ -5,6 +5,7 @@ mod any_color;
 mod digits;
 mod displays;
 mod fit;
+mod reach;
 mod single_colors;
 mod tables;
 

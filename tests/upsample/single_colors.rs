@@ -113,8 +113,8 @@ fn smits_is_off_under_d65_and_says_so() {
     assert!((highest - 1.015).abs() < 2e-4 && (ripple - 8e-4).abs() < 1e-6, "{highest} {ripple}");
 }
 
-/// The share of a 17^3 cube that is solved; those are held to 0.002 CIEDE2000, the others must be off by
-/// 0.0005 or more.
+/// The share of a 17^3 cube that is solved; those are held to 0.002 CIEDE2000, and the others must be off by
+/// more.
 fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
     viewing: &Viewing<N, G, S>,
     decode: fn(f32) -> f32,
@@ -157,7 +157,7 @@ fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
     });
     let share = f64::from(solved) / f64::from(all);
     println!("{:?}: {share:.4} solved within {worst}, the others off by {nearest} and more", S::default());
-    assert!(worst <= 2e-3 && nearest > 5e-4, "{worst} {nearest}");
+    assert!(worst <= 2e-3 && nearest >= 2e-3, "{worst} {nearest}");
     share
 }
 
@@ -179,16 +179,16 @@ fn most_of_the_wide_gamuts_is_solved_and_the_rest_says_so() {
         (1000.0 * solved_share(viewing, SrgbTransfer::decode)).round() / 10.0
     }
     assert_eq!(percent(&viewing::<81, Nodes<380, 780>, Srgb>()), 100.0);
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, DisplayP3>()), 96.3);
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, Bt2020>()), 78.2);
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, AdobeRgb>()), 95.8);
+    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, DisplayP3>()), 96.5);
+    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, Bt2020>()), 79.6);
     let d60 = daylight(6000.0).expect("in range").fine();
     let aces: Viewing<81, Nodes<380, 780>, AcesCg> = Viewing::new(&CIE_1931.under(&d60).fold(Curve::Step));
-    assert_eq!(percent(&aces), 68.4);
-    assert_eq!(percent(&viewing::<31, Points, DisplayP3>()), 95.9);
+    assert_eq!(percent(&aces), 69.6);
+    assert_eq!(percent(&viewing::<31, Points, DisplayP3>()), 96.2);
     let bt2020 = viewing::<31, Points, Bt2020>();
-    assert_eq!(percent(&bt2020), 77.4);
-    assert_eq!((1000.0 * solved_share(&bt2020, Bt1886::decode)).round(), 746.0);
+    assert_eq!(percent(&bt2020), 79.0);
+    assert_eq!((1000.0 * solved_share(&bt2020, Bt1886::decode)).round(), 772.0);
+    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, AdobeRgb>()), 95.8);
 }
 
 #[test]

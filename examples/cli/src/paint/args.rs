@@ -34,7 +34,7 @@ Conventions:
 
 Status:
   exact        The spectrum has the color, within 0.002 CIEDE2000.
-  unreachable  No sigmoid has the color, and this one comes near it.
+  unreachable  No sigmoid was found for the color. This one is the nearest, by CIEDE2000.
   desaturated  The spectrum has the luminance of the color, but only the share 'kept' of the way
                from gray to it.
   approximate  The method is smits, which does not give colors back exactly.
@@ -65,7 +65,7 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "sigmoid")]
     pub method: Method,
 
-    /// What to do with a color that no sigmoid has [default: nearest]
+    /// What to do with a color for which no sigmoid is found [default: nearest]
     #[arg(long, value_enum)]
     beyond: Option<Beyond>,
 
@@ -129,7 +129,7 @@ pub enum Method {
 /// The values of `--beyond`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Beyond {
-    #[value(alias = "damp", help = "Come as near as least squares allow; the status is unreachable")]
+    #[value(alias = "damp", help = "Come as near as CIEDE2000 allows; the status is unreachable")]
     Nearest,
     #[value(
         help = "Mix it with the gray of the same luminance until it has a spectrum; the status is desaturated"
@@ -151,7 +151,7 @@ impl Args {
         self
     }
 
-    /// What to do with colors that no sigmoid has. With the other methods there is nothing to choose.
+    /// What to do with colors for which no sigmoid is found. With the other methods there is nothing to choose.
     pub fn beyond(&self) -> Option<Beyond> {
         (self.method == Method::Sigmoid).then(|| self.beyond.unwrap_or(Beyond::Nearest))
     }
