@@ -104,7 +104,7 @@ function work() {
   );
   const status = {
     exact: 'the spectrum has exactly this color',
-    unreachable: 'no smooth reflectance has this color, and this is the nearest found',
+    unreachable: 'no smooth reflectance was found for this color, and this is the nearest found',
     unphysical: 'the spectrum has this color but leaves 0..1, so it is no reflectance',
     approximate: 'the spectrum comes near this color',
   };
