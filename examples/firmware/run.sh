@@ -15,7 +15,7 @@ esac
 
 # With icount shift=10, every instruction takes 2^10 ns of virtual time, which is 25.6 periods of SysTick on the M4F,
 # 20.5 on the M33 and 16.4 on the M0. One instruction is far above the resolution of the counter, so counts are exact.
-# With shift=3, counts are right within 0.5 % only, but the counter holds 80 million instructions and more.
+# With shift=3 or 2, counts are right within 0.5 % only, but the counter holds 80 or 160 million instructions and more.
 boot() {
     timeout 120 "${qemu[@]}" -nographic -monitor none -serial none \
         -semihosting-config enable=on,target=native -icount "shift=$shift" -kernel "$elf"

@@ -74,8 +74,8 @@ pub struct HueBin {
 /// reference, has a little less than 100. Rg and the bins change by a jump where a sample passes the edge between two bins.
 ///
 /// # Cost
-/// 159 KB of samples; some 600 inner products of 401 terms. On a Cortex-M4F it takes 10,200 bytes of stack at
-/// opt-level 3, and 10,300 at "s".
+/// 159 KB of samples; some 600 inner products of 401 terms. On a Cortex-M4F it takes 10,300 bytes of stack at
+/// opt-level 3, and 10,200 at "s".
 ///
 /// # Errors
 /// Returns a [`RenderingError`] if the light is dark, if it is not a white, or if it has values so negative

@@ -66,8 +66,8 @@ impl<const C: usize, const N: usize, Q: Quantity, G: Grid> Observer<C, N, Q, G> 
     /// within 0.06 CIEDE2000 in the mean.
     ///
     /// # Cost
-    /// At run time three rows of 471 weights on 16 bins take 1,180 bytes of stack on a Cortex-M4F at
-    /// opt-level 3 and 1,160 at "s", and 6,860 and 6,830 if [`under`](Observer::under) is called with it,
+    /// At run time three rows of 471 weights on 16 bins take 1,170 bytes of stack on a Cortex-M4F at
+    /// opt-level 3 and 1,160 at "s", and 6,850 and 6,830 if [`under`](Observer::under) is called with it,
     /// whose result alone has 5,652 bytes.
     #[must_use]
     pub const fn fold<const M: usize, H: Grid>(&self, curve: Curve) -> Observer<C, M, Q, H> {

@@ -122,7 +122,7 @@ done
 
 # The images of calls that put arrays on the stack. Some of them take more instructions than the counter can hold, so
 # these images run with a slower one, whose counts are right within 0.5 %.
-large="large_rendering large_sensor large_spectra"
+large="large_rendering large_scenes large_sensor large_spectra"
 
 # in_ram <label> <elf>: checks that the image keeps nothing in RAM, so that its stack is all that it needs.
 in_ram() {
@@ -137,12 +137,13 @@ in_ram() {
 
 # large_costs <target> <profile>: measures the large calls.
 large_costs() {
-    local label="$1 $2" image
+    local label="$1 $2" image shift=3
+    [[ $1 != "$m0" ]] || shift=2
     can_run "$1" "$label, large calls" || return 0
     measuring "$label" "$1" "$2" $large || return 0
     for image in $large; do
         in_ram "$label: $image" "$CARGO_TARGET_DIR/$1/$2/$image"
-        boot "$label" "$CARGO_TARGET_DIR/$1/$2/$image" "$out/count.device" 3 || continue
+        boot "$label" "$CARGO_TARGET_DIR/$1/$2/$image" "$out/count.device" "$shift" || continue
         awk -v row="$label" '{ print row, $1, $2, $3 }' "$out/count.device" >>"$costs"
     done
 }

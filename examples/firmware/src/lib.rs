@@ -17,7 +17,7 @@
 //! | `backends` | How many instructions do the functions of each math backend take? |
 //! | `price` | How many instructions and how much stack does each step of a reading take? |
 //! | `price_whole` | How many instructions and how much stack does a whole reading take? |
-//! | `large_rendering`, `large_sensor`, `large_spectra` | How much stack do calls with large arrays need? |
+//! | `large_rendering`, `large_scenes`, `large_sensor`, `large_spectra` | How much stack do calls with large arrays need? |
 //! | `empty` | How much flash does a program need that computes no color? |
 //! | `fold16` | How much more flash does it take to turn 16 bands into XYZ? |
 //! | `counts_f32` | How much more does it take to turn 8 counts into XYZ, CCT and Lab? |

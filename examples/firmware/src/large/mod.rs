@@ -5,5 +5,6 @@
 //! in the list of its group. Each group is an image of its own, so that it fits into the flash of the smallest part.
 
 pub mod rendering;
+pub mod scenes;
 pub mod sensor;
 pub mod spectra;

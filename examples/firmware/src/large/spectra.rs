@@ -1,13 +1,10 @@
-//! Tables at every nanometer, observers that are made at run time, spectra of colors, films and scenes.
+//! Tables at every nanometer, observers that are made at run time, and spectra of colors.
 
 use crate::steps::Meter;
-use crate::vest::{LAMP, VEST};
 use core::slice::from_ref;
 use nanospectra::color::{Rgb, Srgb, Xy, dominant_wavelength};
 use nanospectra::light::{D65, Daylight, FL11, daylight, named};
-use nanospectra::matter::{Donaldson, Layer, Medium, Mirror, Polarizer, Stack, ThinFilm, stack_bins};
 use nanospectra::observer::CIE_1931;
-use nanospectra::path::{IntoPart, Part, Scene};
 use nanospectra::radiometry::{AlphaOpic, luminous_efficacy};
 use nanospectra::upsample::{CohenR, CubicStart, Sigmoid, SigmoidReflectance, Solved, Viewing};
 use nanospectra::{Bins, Curve, Fine, Interpolation, Light, Observer, Power, Reflectance};
@@ -15,15 +12,11 @@ use nanospectra::{Bins, Curve, Fine, Interpolation, Light, Observer, Power, Refl
 type Grid = Bins<380, 730>;
 
 static FL11_FINE: Fine<Power> = FL11.fine();
-static EYE: Observer<3, 31, Power> = CIE_1931.fold(Curve::Step);
 static IN_DAYLIGHT: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Step);
 static VIEWING: Viewing<31> = Viewing::new(&IN_DAYLIGHT);
 static SIGMOID: Sigmoid<31, Grid, Srgb, CubicStart> = Sigmoid::new(&VIEWING);
 static COHEN: CohenR<31> = CohenR::new(&IN_DAYLIGHT);
 static GRAY: Reflectance<31> = Reflectance::flat(0.4);
-static MATRIX: Donaldson<31, 496> = Donaldson::from_dye(&VEST);
-static LAKE: Mirror<31> = Mirror::dielectric(&[1.33; 31], 0.5, 0.1);
-static SHEET: Polarizer<31> = Polarizer::ideal(0.2);
 
 /// Measures every call of this group.
 pub fn all(meter: &mut impl Meter) {
@@ -48,16 +41,6 @@ pub fn all(meter: &mut impl Meter) {
     meter.step("upsample-from-rgb", from_rgb, &colors);
     meter.step("metamer-new", metamer_new, from_ref(&IN_DAYLIGHT));
     meter.step("metamer-black", metamer_black, from_ref(&GRAY));
-
-    meter.step("film-reflectance-31", film, &[0.7]);
-    meter.step("film-stack-31", stack, &[0.7]);
-    meter.step("path-donaldson-31", donaldson, from_ref(&LAMP));
-    meter.step("path-mirror-31", mirror, from_ref(&LAMP));
-    meter.step("path-fold-donaldson-31", fold_donaldson, from_ref(&EYE));
-    let scene = scene();
-    meter.step("scene-leaving-31", leaving, from_ref(&scene));
-    meter.step("scene-fold-3x31", fold_scene, from_ref(&scene));
-    meter.step("scene-within-budget-31", budget, from_ref(&scene));
 }
 
 #[inline(never)]
@@ -148,59 +131,4 @@ fn metamer_new(eye: &Observer<3, 31>, out: &mut Option<CohenR<31>>) {
 #[inline(never)]
 fn metamer_black(surface: &Reflectance<31>, out: &mut Reflectance<31>) {
     *out = COHEN.black(surface);
-}
-
-#[inline(never)]
-fn film(cosine: &f32, out: &mut Reflectance<31>) {
-    *out = ThinFilm::new([1.0, 1.33, 1.0], 550.0).reflectance(*cosine);
-}
-
-#[inline(never)]
-fn stack(cosine: &f32, out: &mut [Reflectance<31>; 2]) {
-    let stack = Stack {
-        incident: 1.0,
-        layers: [Layer { medium: Medium { n: 1.3, k: 0.0 }, thickness_nm: 550.0 }; 2],
-        substrate: Medium { n: 1.5, k: 0.3 },
-    };
-    *out = stack_bins(|_| stack, *cosine, 2, |shares| shares.reflected);
-}
-
-#[inline(never)]
-fn donaldson(lamp: &Light<31>, out: &mut [f32; 3]) {
-    *out = EYE.sees(lamp.through(&GRAY).onto(&MATRIX));
-}
-
-#[inline(never)]
-fn mirror(lamp: &Light<31>, out: &mut [f32; 3]) {
-    *out = EYE.sees(lamp.polarized().onto(&LAKE).through(&SHEET).ignoring_polarization());
-}
-
-#[inline(never)]
-fn fold_donaldson(eye: &Observer<3, 31, Power>, out: &mut Option<Observer<3, 31, Power>>) {
-    *out = Some(eye.looking_at_donaldson(&MATRIX));
-}
-
-/// A filter, a dye, paper, a mirror and a polarizer.
-fn scene() -> Scene<'static, 31, 5> {
-    let mut scene = Scene::new();
-    let parts = [Part::Filter(&GRAY), (&VEST).into_part(), Part::Surface(&GRAY)];
-    for part in parts.into_iter().chain([(&LAKE).into_part(), (&SHEET).into_part()]) {
-        let _ = scene.push(part);
-    }
-    scene
-}
-
-#[inline(never)]
-fn leaving(scene: &Scene<31, 5>, out: &mut Light<31>) {
-    *out = scene.leaving_polarized(&LAMP);
-}
-
-#[inline(never)]
-fn fold_scene(scene: &Scene<31, 5>, out: &mut Option<Observer<3, 31, Power>>) {
-    *out = Some(scene.fold_polarized(&EYE));
-}
-
-#[inline(never)]
-fn budget(scene: &Scene<31, 5>, out: &mut f32) {
-    *out = scene.within_budget(&EYE, &LAMP, 1.0).delta_e;
 }
