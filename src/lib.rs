@@ -89,8 +89,8 @@
 //! Files, text and plots (the program `nanospectra-cli` has them), spectra whose size is known only at run
 //! time, and `f64` at run time.
 #![no_std]
-// On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating system,
-// which that label leaves out.
+// On docs.rs, items that need a feature name it. The feature `std` also needs a target with an operating
+// system, which that label leaves out.
 #![cfg_attr(docsrs, feature(doc_cfg), doc(auto_cfg(hide(target_os = "none"))))]
 #![deny(missing_docs, unsafe_code)]
 // The guides use the default feature.

@@ -138,8 +138,8 @@ impl Xyz {
         Xyz { x: self.x * k, y: self.y * k, z: self.z * k }
     }
 
-    /// Returns a sum over X, Y and Z, and the color that it was taken of: this one, or a part of it if the sum
-    /// would overflow.
+    /// Returns a sum over X, Y and Z, and the color that it was taken of: this one, or a part of it if the
+    /// sum would overflow.
     #[inline(always)]
     fn in_range(self, sum: impl Fn(Self) -> f32) -> (Self, f32) {
         let whole = sum(self);

@@ -144,14 +144,14 @@ impl Uv1960 {
         self.nearest_of(&LOCUS)
     }
 
-    /// Finds the same to 0.0015 mired, by a table of 784 bytes, for color rendering, which multiplies errors of
-    /// the temperature.
+    /// Finds the same to 0.0015 mired, by a table of 784 bytes, for color rendering, which multiplies errors
+    /// of the temperature.
     pub(super) fn fine_cct(self) -> Cct {
         self.nearest_of(&FINE_LOCUS)
     }
 
-    /// Finds the place that is nearest on a locus with these knots. (It is one function in a web page, where bytes
-    /// count, and on other targets a function of its own for each locus.)
+    /// Finds the place that is nearest on a locus with these knots. (It is one function in a web page, where
+    /// bytes count, and on other targets a function of its own for each locus.)
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     fn nearest_of(self, locus: &'static [[f32; 4]]) -> Cct {

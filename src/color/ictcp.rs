@@ -42,8 +42,8 @@ const FROM_CONES: Matrix = rounded(&inverse64(&per_4096(&TO_CONES)));
 
 /// A color that is given as the signal ICtCp of BT.2100, by transfer function `T`, [`Pq`] or [`Hlg`].
 ///
-/// [`Ictcp::from_rgb`] makes it of linear BT.2020, and [`Ictcp::rgb`] leads back. With [`Pq`], equal steps are
-/// about equally visible at every brightness, and [`Ictcp::delta_e_itp`] counts them.
+/// [`Ictcp::from_rgb`] makes it of linear BT.2020, and [`Ictcp::rgb`] leads back. With [`Pq`], equal steps
+/// are about equally visible at every brightness, and [`Ictcp::delta_e_itp`] counts them.
 ///
 /// # Example
 /// ```
@@ -113,8 +113,8 @@ impl<T: IctcpTransfer> Ictcp<T> {
 
     /// Converts the color back to linear BT.2020.
     ///
-    /// The result is `None` where a cone signal is beyond what the transfer function can decode. NaN stays NaN.
-    /// See the [example](Ictcp#example).
+    /// The result is `None` where a cone signal is beyond what the transfer function can decode. NaN stays
+    /// NaN. See the [example](Ictcp#example).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn rgb(self) -> Option<Rgb<Bt2020>> {

@@ -70,8 +70,8 @@ shown_by_name!(Jzazbz: "Jz" jz, "az" az, "bz" bz);
 impl Xyz {
     /// Converts a color that is seen under D65, in cd/m2, to Jzazbz.
     ///
-    /// Y is the luminance in cd/m2, not a share of the white. A cone response below zero, of an imaginary color,
-    /// counts as zero. NaN stays NaN. Components beyond 1e36 overflow.
+    /// Y is the luminance in cd/m2, not a share of the white. A cone response below zero, of an imaginary
+    /// color, counts as zero. NaN stays NaN. Components beyond 1e36 overflow.
     ///
     /// # Accuracy
     /// 2e-7 in Jz and 1e-6 in az and bz (`tests/color/hdr.rs`).

@@ -5,10 +5,11 @@ use crate::color::cct::{CUBIC, FIRST, LINEAR, LOCUS, MAX_DUV, SEGMENTS, Segment}
 use crate::math::sqrt;
 
 impl Uv1960 {
-    /// Finds the chromaticity of a black body, a point of the Planckian locus, from its color temperature in K.
+    /// Finds the chromaticity of a black body, a point of the Planckian locus, from its color temperature in
+    /// K.
     ///
-    /// The chromaticity is one of the CIE 1931 2 degree observer; [`Uv1960::xy`] and [`Uv1960::uv1976`] convert
-    /// it. The temperature is on the scale of color temperatures (c2 = 1.4388e-2 m K), as in
+    /// The chromaticity is one of the CIE 1931 2 degree observer; [`Uv1960::xy`] and [`Uv1960::uv1976`]
+    /// convert it. The temperature is on the scale of color temperatures (c2 = 1.4388e-2 m K), as in
     /// [`Uv1960::cct`]. The result is `None` outside of 1000 to 1e6 K. NaN stays NaN.
     ///
     /// # Accuracy
@@ -31,7 +32,8 @@ impl Uv1960 {
         Self::of_cct(cct_k, 0.0)
     }
 
-    /// Finds the chromaticity that has this color temperature in K and this Duv, as [`Uv1960::cct`] reads them.
+    /// Finds the chromaticity that has this color temperature in K and this Duv, as [`Uv1960::cct`] reads
+    /// them.
     ///
     /// It lies on the normal of the locus at `cct_k`, above it (greenish) where `duv` is positive. The result
     /// is `None` outside of 1000 to 1e6 K, and for more than 0.05 from the locus. NaN stays NaN.

@@ -8,8 +8,8 @@ const INTERVALS: usize = 30;
 /// The place of 375 nm, where the first interval begins, in the spectra of 1 nm.
 const FIRST: usize = 15;
 
-/// Computes the spectral similarity index of a light to a reference, which tells how far colors can be trusted
-/// that a camera, and not an eye, sees under it: 100 is the same spectrum.
+/// Computes the spectral similarity index of a light to a reference, which tells how far colors can be
+/// trusted that a camera, and not an eye, sees under it: 100 is the same spectrum.
 ///
 /// Above 90 hardly any camera shows a difference; an index far below 50 says no more than that the light is
 /// another one, and a single line has one below zero. The index is not rounded; the standard gives it as a

@@ -52,9 +52,10 @@ const BLOCK: usize = 33;
 
 /// Computes the colors under a light.
 ///
-/// Light and color-matching function are multiplied at each nanometer, and the products are distributed to the nodes
-/// by the weights of the interpolation. A cell holds the products at a node and at the 4 nm after it. Only the cells
-/// of one block of nodes are kept, and before them the last five of the block before, which are zeros at first.
+/// Light and color-matching function are multiplied at each nanometer, and the products are distributed to
+/// the nodes by the weights of the interpolation. A cell holds the products at a node and at the 4 nm after
+/// it. Only the cells of one block of nodes are kept, and before them the last five of the block before,
+/// which are zeros at first.
 pub(super) fn under(light: &Fine<Power>) -> Colors {
     let mut colors = [[0.0; 16]; 3];
     for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {

@@ -69,9 +69,10 @@ pub struct HueBin {
 /// # Accuracy
 /// Rf and Rg are within 2e-4 of f64, over 1800 spectra of lamps that stand in no table, up to |Duv| = 0.05.
 /// Where a search for the largest errors ended, Rf was off by 2.8e-4, and Rg by 1.6e-3 for a mixture of lines
-/// that leaves the blue cone nearly no light of some sample (`tests/color/held_out.rs`). Near 100 the error of
-/// Rf is always downward, because rounding makes two equal colors different: a black body, which is its own
-/// reference, has a little less than 100. Rg and the bins change by a jump where a sample passes the edge between two bins.
+/// that leaves the blue cone nearly no light of some sample (`tests/color/held_out.rs`). Near 100 the error
+/// of Rf is always downward, because rounding makes two equal colors different: a black body, which is its
+/// own reference, has a little less than 100. Rg and the bins change by a jump where a sample passes the edge
+/// between two bins.
 ///
 /// # Cost
 /// 159 KB of samples; some 600 inner products of 401 terms. On a Cortex-M4F it takes 10,300 bytes of stack at
@@ -198,9 +199,9 @@ const FIRST: usize = 20;
 
 /// Computes how the samples look under a light.
 ///
-/// The observer has weights for the nanometers of the samples alone. Those before are a multiple of four, so that
-/// only those of the eight partial sums change places which are added to each other first. The bits are therefore
-/// those of sums over the whole grid.
+/// The observer has weights for the nanometers of the samples alone. Those before are a multiple of four, so
+/// that only those of the eight partial sums change places which are added to each other first. The bits are
+/// therefore those of sums over the whole grid.
 #[inline(never)]
 fn look(light: &Fine<Power>, colors: &mut [CamUcs; 99]) -> Result<(), RenderingError> {
     let mut eye = [[0.0; 401]; 3];

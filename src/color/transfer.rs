@@ -137,12 +137,12 @@ impl Transfer for AdobeRgbTransfer {
 /// The transfer function of a BT.709 camera, by which video is coded; [`Bt1886`] is the display for it.
 ///
 /// It follows BT.709 with the constants that the standard prints (4.5, 0.018, 1.099), which are those of
-/// BT.2020 for 10 bits, too. `decode` gives the light that the camera saw, while a display, which is darker on
-/// purpose, shows that of [`Bt1886`].
+/// BT.2020 for 10 bits, too. `decode` gives the light that the camera saw, while a display, which is darker
+/// on purpose, shows that of [`Bt1886`].
 ///
 /// With the printed constants the curve jumps by 2.5e-4 at its knee, linear 0.018. No light has a code inside
-/// the jump; such a code decodes to 0.018. The constants of BT.2020 for 12 bits, 1.0993 and 0.0181, give codes
-/// that are at most 2.6e-4 away.
+/// the jump; such a code decodes to 0.018. The constants of BT.2020 for 12 bits, 1.0993 and 0.0181, give
+/// codes that are at most 2.6e-4 away.
 ///
 /// # Accuracy
 /// Encoding is within 9e-8, decoding within 1.2e-7, on 0 to 1.

@@ -153,8 +153,8 @@ impl<const N: usize, Q: Quantity, G: Bands> Observer<3, N, Q, G> {
     ///
     /// After [`under`](Observer::under) that spectrum is the perfect white surface, and for `y` = 100 the
     /// factor is k = 100 / sum(S y-bar) of CIE 15. An observer whose Y row sums to zero or less, because
-    /// there is no visible light, is returned as it is. It computes in f64 and is meant for constants. See the
-    /// [example](Observer#example).
+    /// there is no visible light, is returned as it is. It computes in f64 and is meant for constants. See
+    /// the [example](Observer#example).
     #[must_use]
     pub const fn with_white_y(&self, y: f64) -> Self {
         let white = self.row_sums()[1];

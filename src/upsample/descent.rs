@@ -1,8 +1,8 @@
 //! The method of Levenberg and Marquardt, which finds the curve of a color where Newton's method does not.
 //!
-//! It compares colors in Lab, turned and scaled so that differences in lightness, chroma and hue count as much
-//! as in CIE94. The equations are solved without squaring them, since near the limit of what curves can have
-//! their condition is as large as f32 allows.
+//! It compares colors in Lab, turned and scaled so that differences in lightness, chroma and hue count as
+//! much as in CIE94. The equations are solved without squaring them, since near the limit of what curves can
+//! have their condition is as large as f32 allows.
 
 use crate::color::Xyz;
 use crate::color::matrix::{Matrix, apply};

@@ -55,8 +55,8 @@ impl<const N: usize, G: Grid> Display<N, G> {
     /// Makes a display whose primaries are scaled so that RGB (1, 1, 1) has the chromaticity `white_xy` and
     /// Y = 100.
     ///
-    /// It is otherwise made as by [`new`](Self::new), and in f64. The y of the white must not be 0. If the primaries
-    /// cannot make the white, one of them is scaled by a negative factor.
+    /// It is otherwise made as by [`new`](Self::new), and in f64. The y of the white must not be 0. If the
+    /// primaries cannot make the white, one of them is scaled by a negative factor.
     #[must_use]
     pub const fn balanced(
         primaries: [Spectrum<Power, N, G>; 3],

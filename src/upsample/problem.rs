@@ -12,8 +12,8 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// Returns what the solver has to do for a color in linear RGB, where `response` is the matrix from RGB to
-    /// responses. (It is written without `f32::max`, which is a function call on a Cortex-M4F.)
+    /// Returns what the solver has to do for a color in linear RGB, where `response` is the matrix from RGB
+    /// to responses. (It is written without `f32::max`, which is a function call on a Cortex-M4F.)
     #[inline(always)]
     pub fn of(rgb: [f32; 3], response: &[[f32; 3]; 3]) -> Self {
         let [r, g, b] = rgb;

@@ -125,8 +125,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
     }
 
-    /// Returns a reflectance for a color in linear RGB, or if none is found, the one whose color is nearest in
-    /// the sense of CIEDE2000.
+    /// Returns a reflectance for a color in linear RGB, or if none is found, the one whose color is nearest
+    /// in the sense of CIEDE2000.
     ///
     /// For components within 0..=1 the result is nearer to the color than that of
     /// [`desaturated`](Self::desaturated). For components above 1 its hue changes; take
@@ -266,7 +266,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
 
     /// Returns the reflectance that has exactly this color, if undamped steps of Newton's method find one.
     ///
-    /// `None` does not mean that no sigmoid has the color: [`reflectance`](Self::reflectance) searches further.
+    /// `None` does not mean that no sigmoid has the color: [`reflectance`](Self::reflectance) searches
+    /// further.
     ///
     /// This is the solver alone, for programs that have to be small. `rgb` is linear, and the grid has 6
     /// bands or more. The result has the same bits as that of [`reflectance`](Self::reflectance).

@@ -45,8 +45,8 @@ fn follows<A: AppearanceModel>(examples: &[Example], surround: Surround, [digits
 const D65: [f32; 3] = [95.05, 100.0, 108.88];
 const A: [f32; 3] = [109.85, 100.0, 35.58];
 
-/// The four cases of M. D. Fairchild, Color Appearance Models, third edition, table 16.4, to two decimals, and
-/// the two of CIE 159:2004, to four, whose white has Y = 90.
+/// The four cases of M. D. Fairchild, Color Appearance Models, third edition, table 16.4, to two decimals,
+/// and the two of CIE 159:2004, to four, whose white has Y = 90.
 #[test]
 fn ciecam02_gives_the_published_examples() {
     let book = [

@@ -1,5 +1,5 @@
-//! Color rendering and Lab under lamps that stand in no table, and that nothing was tuned to: drawn from a seed, on
-//! several axes, and searched for the largest errors.
+//! Color rendering and Lab under lamps that stand in no table, and that nothing was tuned to: drawn from a
+//! seed, on several axes, and searched for the largest errors.
 #![cfg(feature = "libm")]
 
 use model::allowed::check;
@@ -70,7 +70,8 @@ struct Rendering {
 }
 
 impl Rendering {
-    /// The names of the checks are those of Ra, of R1 to R15, of Rf, of Rg, of the samples and of the hue bins.
+    /// The names of the checks are those of Ra, of R1 to R15, of Rf, of Rg, of the samples and of the hue
+    /// bins.
     fn new(names: [&'static str; 6]) -> Self {
         let [ra, r, rf, rg, samples, bins] = names.map(check);
         let (cri, tm30) = (cri::Method::new(Mode::OneNm), tm30::Method::new(Mode::OneNm));
@@ -88,10 +89,11 @@ impl Rendering {
         ])
     }
 
-    /// Compares all indices of a light. Returns the errors of Ra, of R1 to R15, of Rf, of Rg, and of the color
-    /// temperature in mired.
+    /// Compares all indices of a light. Returns the errors of Ra, of R1 to R15, of Rf, of Rg, and of the
+    /// color temperature in mired.
     fn compare(&mut self, place: &str, (light, exact): &Pair) -> Option<[f64; 5]> {
-        // At 5000 K the reference of the CRI changes by a jump, and rounding may decide on which side a light is.
+        // At 5000 K the reference of the CRI changes by a jump, and rounding may decide on which side a light
+        // is.
         let right = self.cri.of_values(exact);
         if (right.cct.cct_k - 5000.0).abs() < 0.05 || !is_white(exact, DUV) {
             return None;

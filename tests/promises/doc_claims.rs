@@ -76,8 +76,8 @@ fn every_count_and_every_figure_of_the_pages_is_held() {
     assert!(faults.is_empty(), "these counts have no row in tests/data/claims.txt:\n{faults}");
 }
 
-/// Instructions, bytes, times, shares and figures with a fraction in README.md and the guides; instructions where
-/// costs are named; bytes besides where a reader looks first.
+/// Instructions, bytes, times, shares and figures with a fraction in README.md and the guides; instructions
+/// where costs are named; bytes besides where a reader looks first.
 fn unheld_counts(title: &str, section: &Section, entry: Option<&Entry>) -> String {
     let first = HEADLINES.contains(&title);
     let page = title.contains(".md ");

@@ -1,5 +1,5 @@
-//! What the pages of the repository name is there: what their links lead to, files, and what cargo is asked to
-//! run.
+//! What the pages of the repository name is there: what their links lead to, files, and what cargo is asked
+//! to run.
 
 use std::fs;
 use std::path::Path;
@@ -68,8 +68,8 @@ fn leads_somewhere(page: &str, text: &str, link: &str) -> bool {
     page.starts_with(GUIDES) || is_there(&folder.join(target).to_string_lossy())
 }
 
-/// Is there such a guide, or such a type? (Types that need a feature are named in this way, since rustdoc finds them
-/// only with that feature.)
+/// Is there such a guide, or such a type? (Types that need a feature are named in this way, since rustdoc
+/// finds them only with that feature.)
 fn is_shown(page: &str) -> bool {
     let declares = |declaration: &str| {
         let begins = |line: &str| line.trim_start().starts_with(declaration);

@@ -101,8 +101,8 @@ fn assert_sound<const N: usize, G: nanospectra::Grid, S: RgbSpace, M: StartMap>(
         prop_assert!((0.0..=1.0).contains(&solved.spectrum.at(nm)), "{:?} at {}", solved, nm);
     }
     if solved.status == Status::Exact {
-        // Of the dark all digits count: as bright as can be if the solver alone finds it, and else brought to a
-        // thousandth of white.
+        // Of the dark all digits count: as bright as can be if the solver alone finds it, and else brought to
+        // a thousandth of white.
         let (xyz, white) = (viewing.xyz(rgb(color)), viewing.xyz(rgb([1.0; 3])));
         let shares = [xyz.x / white.x, xyz.y / white.y, xyz.z / white.z];
         let size = shares.into_iter().fold(0.0, |most: f32, share| most.max(share.abs()));

@@ -82,8 +82,9 @@ pub fn printable(text: &str) -> String {
 
 /// Returns whether a character can disturb what stands around it.
 ///
-/// Controls (C0, DEL and C1) and line separators break lines or command a terminal, and bidirectional controls
-/// change the order of what is shown. U+FFFE and U+FFFF are not allowed in XML, and most controls are not either.
+/// Controls (C0, DEL and C1) and line separators break lines or command a terminal, and bidirectional
+/// controls change the order of what is shown. U+FFFE and U+FFFF are not allowed in XML, and most controls
+/// are not either.
 pub fn is_unsafe(c: char) -> bool {
     let bidirectional =
         matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{206f}');

@@ -5,8 +5,8 @@
 //! costs: the instructions on record ([`counts`]), bytes, and nanoseconds on this machine ([`clock`]). A
 //! study gives tables ([`report`]), which are printed for a terminal ([`text`]) or written for a program
 //! ([`json`]). [`check`] compares them with the tables on record. From the record ([`record`]) the program
-//! makes the pictures of the guide ([`picture`]) and the tables of the README and the guides ([`docs`]), as files that
-//! [`made`] writes and compares, and [`advise`] chooses from it.
+//! makes the pictures of the guide ([`picture`]) and the tables of the README and the guides ([`docs`]), as
+//! files that [`made`] writes and compares, and [`advise`] chooses from it.
 
 mod advise;
 mod args;

@@ -2,8 +2,8 @@
 //! looks how far down the pattern was overwritten.
 //!
 //! This works on any board. Memory that a call reserves but never writes keeps the pattern, so the result can
-//! be a little too small: of the [large calls](crate::large) by at most 48 bytes, which was found by interrupting
-//! them every 251 instructions and noting the lowest stack pointer.
+//! be a little too small: of the [large calls](crate::large) by at most 48 bytes, which was found by
+//! interrupting them every 251 instructions and noting the lowest stack pointer.
 
 use crate::clock::{Erased, erase};
 use core::arch::asm;
@@ -20,8 +20,8 @@ unsafe extern "C" {
     static FREE: u32;
 }
 
-/// Returns the bytes of stack below the caller's that `f` takes to get from `input` to `output`, or `None` if that
-/// is more than can be measured.
+/// Returns the bytes of stack below the caller's that `f` takes to get from `input` to `output`, or `None` if
+/// that is more than can be measured.
 ///
 /// The apparent need of a function that does nothing is subtracted.
 pub fn needs<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> Option<usize> {
@@ -36,8 +36,8 @@ fn depth<A, R>(f: fn(&A, &mut R), input: &A, output: &mut R) -> Option<usize> {
     painted(erase(f), (&raw const *input).cast(), (&raw mut *output).cast())
 }
 
-/// Fills the memory, calls a function and returns the bytes that it has overwritten, unless these are all. Only `f`
-/// is called from this frame, so everything else stays above the pattern.
+/// Fills the memory, calls a function and returns the bytes that it has overwritten, unless these are all.
+/// Only `f` is called from this frame, so everything else stays above the pattern.
 #[inline(never)]
 fn painted(f: Erased, input: *const (), output: *mut ()) -> Option<usize> {
     let (f, input) = black_box((f, input));

@@ -25,12 +25,12 @@ use crate::math::{Math, at_least, cbrt, sqrt};
 /// The models take roots of numbers that are above zero for the colors for which they were made. The color of
 /// a narrow band or outside the spectral locus may have negative responses; where a number below a root is
 /// negative for that reason, textbook code yields NaN, and the result here is `None`. Under D65 by
-/// [`Ciecam02`] that is so for the blue primary of ProPhoto, by [`Cam16`] for no light of the visible spectrum
-/// from 390 to 700 nm.
+/// [`Ciecam02`] that is so for the blue primary of ProPhoto, by [`Cam16`] for no light of the visible
+/// spectrum from 390 to 700 nm.
 ///
 /// # Accuracy
-/// Over the gamut of BT.2020 and scenes with L_A from 4 to 2000 cd/m2, searched for the worst color: J, C and M
-/// within 5e-4, h by as little along its circle, CAM02-UCS and CAM16-UCS within 6e-4
+/// Over the gamut of BT.2020 and scenes with L_A from 4 to 2000 cd/m2, searched for the worst color: J, C and
+/// M within 5e-4, h by as little along its circle, CAM02-UCS and CAM16-UCS within 6e-4
 /// (`tests/color/appearance.rs`). A gray may have a chroma of that size, and then a hue and a saturation that
 /// mean nothing.
 ///
@@ -144,8 +144,8 @@ impl<A: AppearanceModel> ViewingConditions<A> {
         Self::checked::<M>(white, adapting_cd_m2, background_y, surround, degree)
     }
 
-    /// Makes the conditions as [`discounting`](Self::discounting) does, by the elementary functions of the math
-    /// backend `M`.
+    /// Makes the conditions as [`discounting`](Self::discounting) does, by the elementary functions of the
+    /// math backend `M`.
     #[must_use]
     pub fn discounting_with<M: Math>(
         white: Xyz,
@@ -205,8 +205,9 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     /// Computes the attributes of a color.
     ///
     /// The color is on the scale of the white. The result is `None` if the model gives it
-    /// [no appearance](ViewingConditions#colors-without-an-appearance). Black has J = 0, and so has h = 0 each
-    /// gray. NaN stays NaN. Components beyond 1e36 overflow. See the [example](ViewingConditions#example).
+    /// [no appearance](ViewingConditions#colors-without-an-appearance). Black has J = 0, and so has h = 0
+    /// each gray. NaN stays NaN. Components beyond 1e36 overflow. See the
+    /// [example](ViewingConditions#example).
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn appearance(&self, color: Xyz) -> Option<Appearance> {
@@ -258,8 +259,8 @@ impl<A: AppearanceModel> ViewingConditions<A> {
         if sight.is_real { Some(self.uniform::<M>(&sight)) } else { None }
     }
 
-    /// As [`ucs_with`](Self::ucs_with), but a color whose achromatic response is below zero has J' = 0, and one
-    /// that has no chroma has a' and b' of NaN.
+    /// As [`ucs_with`](Self::ucs_with), but a color whose achromatic response is below zero has J' = 0, and
+    /// one that has no chroma has a' and b' of NaN.
     #[cfg(feature = "libm")]
     pub(in crate::color) fn ucs_or_nan<M: Math>(&self, color: Xyz) -> CamUcs {
         self.uniform::<M>(&self.looks_at::<M>(color))

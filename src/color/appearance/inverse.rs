@@ -12,8 +12,8 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     /// Computes the color that has this lightness, chroma and hue; the other attributes are not read.
     ///
     /// The color is on the scale of the white. The result is `None` if no color has these attributes: if J or
-    /// C is below zero, if a black has chroma, or if a response would have to be beyond the largest that there
-    /// is. NaN stays NaN.
+    /// C is below zero, if a black has chroma, or if a response would have to be beyond the largest that
+    /// there is. NaN stays NaN.
     ///
     /// # Accuracy
     /// XYZ comes back within 3e-4 of 100 (`tests/color/appearance.rs`).

@@ -55,8 +55,8 @@ impl<const N: usize, const CAP: usize, G> Scene<'_, N, CAP, G> {
     ///
     /// Effects that save most multiply-adds are left out first, as long as the
     /// [`difference`](Self::difference) that all of them make *together* is at most `budget_delta_e`. Of
-    /// effects that save as much, the first part goes. In the scene that remains no single effect could be left
-    /// out as well. (Two of them could be, if their differences happened to cancel.)
+    /// effects that save as much, the first part goes. In the scene that remains no single effect could be
+    /// left out as well. (Two of them could be, if their differences happened to cancel.)
     ///
     /// Call it again when the lamp or a part changes: a dye that does not show under a red lamp may be bright
     /// under a blue one.

@@ -93,8 +93,8 @@ pub(super) const fn forward<const C: usize>(r: &[[f32; C]; C], mut x: [f32; C]) 
     x
 }
 
-/// Computes A (I d^2 + A' A)^-1 of `N` x `C` numbers in the place of A, whose columns are given, and returns the
-/// factor R of [d I; A].
+/// Computes A (I d^2 + A' A)^-1 of `N` x `C` numbers in the place of A, whose columns are given, and returns
+/// the factor R of [d I; A].
 ///
 /// With [d I; A] = [Q2; Q1] R this is Q1 R'^-1, which has the condition of A and not its square.
 pub(super) const fn damped_inverse<const C: usize, const N: usize>(

@@ -248,8 +248,8 @@ const fn share<const C: usize, const N: usize>(
     if below > 0.0 { (above / below) * (above / below) * variance } else { 1.0 }
 }
 
-/// Computes A (A' A + alpha s^2)^-1 in the place of A, where s^2 is the mean square of A's columns, times the scale
-/// that is returned.
+/// Computes A (A' A + alpha s^2)^-1 in the place of A, where s^2 is the mean square of A's columns, times the
+/// scale that is returned.
 const fn solve<const C: usize, const N: usize>(a: &mut [[f32; N]; C], alpha: f32) -> Result<f32, FitError> {
     let mut norms = [0.0; C];
     const_for!(0..C, |c| norms[c] = norm(&a[c]));

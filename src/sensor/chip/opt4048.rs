@@ -54,8 +54,8 @@ pub static CHANNELS: [&str; 3] = ["ch0", "ch1", "ch2"];
 /// The matrix of Texas Instruments that turns the codes of [`CHANNELS`] into X, Y and Z on a scale of their
 /// own.
 ///
-/// For XYZ with Y in lux, pass the result of [`TO_LUX`] to [`Xyz::with_y`](crate::color::Xyz::with_y). See the
-/// module's [example](self#example).
+/// For XYZ with Y in lux, pass the result of [`TO_LUX`] to [`Xyz::with_y`](crate::color::Xyz::with_y). See
+/// the module's [example](self#example).
 ///
 /// # Reference
 /// The data sheet's coefficients as Adafruit's driver for this chip has them.

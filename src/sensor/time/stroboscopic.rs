@@ -11,15 +11,16 @@ const HIGHEST_HZ: f32 = 2000.0;
 /// The exponent by which the parts of a light are summed.
 const EXPONENT: f32 = 3.7;
 
-/// Computes the stroboscopic visibility measure, SVM, of readings of a light that repeats `frequency_hz` times
-/// a second: 1 is just visible to half of all viewers, 0 is steady light.
+/// Computes the stroboscopic visibility measure, SVM, of readings of a light that repeats `frequency_hz`
+/// times a second: 1 is just visible to half of all viewers, 0 is steady light.
 ///
 /// The readings (lux, counts) were taken at equal steps, `rate_hz` times a second. The parts of the light at
 /// `frequency_hz` and its multiples count, up to 2000 Hz, and below half of `rate_hz`; so take at least 4000
-/// readings a second, by a photodiode that is faster than that. The measure is made for light that swings with
-/// 80 Hz or more, and for an office where people move; the European Union demands at most 0.4 of lamps.
+/// readings a second, by a photodiode that is faster than that. The measure is made for light that swings
+/// with 80 Hz or more, and for an office where people move; the European Union demands at most 0.4 of lamps.
 ///
-/// The result is `None` as in [`Flicker::of`](crate::sensor::Flicker::of). NaN among the readings makes it NaN.
+/// The result is `None` as in [`Flicker::of`](crate::sensor::Flicker::of). NaN among the readings makes it
+/// NaN.
 ///
 /// # Accuracy
 /// 4e-5 of the measure, for up to 1000 readings, each period a whole number of them

@@ -1,5 +1,5 @@
-//! Prints the table of hard cases as Markdown: `cargo run --release -p nanospectra-hard`. If a row differs from
-//! what it claims, the reason goes to stderr and the exit code is 1.
+//! Prints the table of hard cases as Markdown: `cargo run --release -p nanospectra-hard`. If a row differs
+//! from what it claims, the reason goes to stderr and the exit code is 1.
 
 mod table;
 #[cfg(test)]

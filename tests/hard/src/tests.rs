@@ -1,5 +1,5 @@
-//! Tests the table of hard cases: that it has every row, that each row holds what it claims on this machine and
-//! on a Cortex-M4F, that the test which each row names exists, and that the table is the one on record.
+//! Tests the table of hard cases: that it has every row, that each row holds what it claims on this machine
+//! and on a Cortex-M4F, that the test which each row names exists, and that the table is the one on record.
 //!
 //! `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard` records the table. `tests/devices.sh --bless` records
 //! the results of a Cortex-M4F.

@@ -23,8 +23,8 @@ fn dot(a: Color, b: Color) -> f64 {
 }
 
 impl Fold {
-    /// The solid is the sum of a segment for each bin, from 0 to its color. Each of its faces is spanned by two
-    /// of them, so its membership needs no linear programme.
+    /// The solid is the sum of a segment for each bin, from 0 to its color. Each of its faces is spanned by
+    /// two of them, so its membership needs no linear programme.
     pub fn new(bins: Vec<(Color, f64)>) -> Self {
         let mut faces = Vec::new();
         for (k, (a, _)) in bins.iter().enumerate() {
@@ -73,8 +73,8 @@ impl Fold {
         (seen, slopes)
     }
 
-    /// How near a search of sigmoids with numbers up to 1e4, rounded to f32, comes to a color: by the method of
-    /// Levenberg and Marquardt on Lab that is weighted as in CIE94, from several starts.
+    /// How near a search of sigmoids with numbers up to 1e4, rounded to f32, comes to a color: by the method
+    /// of Levenberg and Marquardt on Lab that is weighted as in CIE94, from several starts.
     pub fn nearest_sigmoid(&self, asked: Color) -> f64 {
         let starts = [[0.0; 3], [-50.0, 0.0, 1.0], [50.0, 0.0, -1.0], [0.0, 20.0, 0.0], [0.0, -20.0, 0.0]];
         starts.iter().map(|start| self.descend(asked, *start)).fold(f64::INFINITY, f64::min)

@@ -75,7 +75,8 @@ pub fn documentation(lane: &mut Lane, packages: &[Package]) {
             let shell = shell.again().with("RUSTDOCFLAGS", flags);
             shell.run(&format!("cargo doc --no-deps --all-features -p {name}"))
         };
-        // What `cargo doc` shows to users. Links to items that need a feature which is off must lead somewhere, too.
+        // What `cargo doc` shows to users. Links to items that need a feature which is off must lead
+        // somewhere, too.
         let users = shell.again().with("RUSTDOCFLAGS", "-D warnings");
         users.run("cargo doc --no-deps -p nanospectra")?;
         page("nanospectra", "-D warnings")?;

@@ -41,8 +41,8 @@ enum Task {
     },
     /// Change the library in small ways, at random, and look whether a test fails for each of them
     ///
-    /// It installs cargo-mutants, and takes about ten seconds for a change. With `--since COMMIT` it tries the
-    /// lines that were edited since then, which is the habit before a change is merged.
+    /// It installs cargo-mutants, and takes about ten seconds for a change. With `--since COMMIT` it tries
+    /// the lines that were edited since then, which is the habit before a change is merged.
     Mutants(mutants::Choice),
     /// Run the tests that draw random cases, and no others, with each seed of a range, in the dev profile
     ///

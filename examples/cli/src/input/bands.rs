@@ -1,13 +1,14 @@
 //! Reads averages over bands, which are not points of a curve.
 //!
-//! A spectrum of few bands, such as those that `nanospectra paint` prints, has in each band the average over the
-//! band. A heading that begins with [`HEADING`] says so. Such a spectrum is constant within each band, whose edges
-//! lie half way between the wavelengths; that keeps every average.
+//! A spectrum of few bands, such as those that `nanospectra paint` prints, has in each band the average over
+//! the band. A heading that begins with [`HEADING`] says so. Such a spectrum is constant within each band,
+//! whose edges lie half way between the wavelengths; that keeps every average.
 
 /// The heading above the wavelengths of averages.
 pub const HEADING: &str = "band-nm";
 
-/// Returns the edges of the bands around these wavelengths, of which there are at least two: one more than these.
+/// Returns the edges of the bands around these wavelengths, of which there are at least two: one more than
+/// these.
 ///
 /// The first and the last band reach as far to the outside as to the inside.
 pub fn edges(wavelengths: &[f64]) -> Vec<f64> {
@@ -19,8 +20,8 @@ pub fn edges(wavelengths: &[f64]) -> Vec<f64> {
     edges
 }
 
-/// Returns the mean of averages over the nanometer around `nm`, where the spectrum is `below` and `above` outside
-/// the bands.
+/// Returns the mean of averages over the nanometer around `nm`, where the spectrum is `below` and `above`
+/// outside the bands.
 pub fn mean(edges: &[f64], averages: &[f64], nm: f64, [below, above]: [f64; 2]) -> f64 {
     let (from, to) = (nm - 0.5, nm + 0.5);
     let overlap = |low: f64, high: f64| (high.min(to) - low.max(from)).max(0.0);

@@ -26,10 +26,10 @@ pub fn line(mut object: Value, why: impl Fn(&str) -> Option<&'static str>) -> St
 
 /// Adds a note for each null that has none.
 ///
-/// A null has a note if the object around it has a text `note`, or if an entry of the list `notes` of the whole
-/// object begins with the path of its key, such as `uncertainty.cct_k`, or with a path above it. `why` knows the
-/// reasons by their paths; a null without a reason is a number that was too extreme. Paths with the same reason
-/// share a note.
+/// A null has a note if the object around it has a text `note`, or if an entry of the list `notes` of the
+/// whole object begins with the path of its key, such as `uncertainty.cct_k`, or with a path above it. `why`
+/// knows the reasons by their paths; a null without a reason is a number that was too extreme. Paths with the
+/// same reason share a note.
 pub fn explain(object: &mut Value, why: impl Fn(&str) -> Option<&'static str>) {
     let mut nulls = Vec::new();
     find(object, "", &mut nulls);

@@ -1,7 +1,7 @@
 //! Turns numbers into text: every number of a report, a picture or a message comes from here.
 //!
-//! A number that does not exist is a word here, and not `NaN` or `inf`: a sum that exceeds every number is "too
-//! large", and a number that has no value is "undefined". In JSON both are `null`, and
+//! A number that does not exist is a word here, and not `NaN` or `inf`: a sum that exceeds every number is
+//! "too large", and a number that has no value is "undefined". In JSON both are `null`, and
 //! [`json::line`](super::json::line) adds the note. (A test looks for other places that format numbers.)
 
 use std::fmt::Display;
@@ -65,7 +65,8 @@ pub fn shortest<T: Copy + Display + std::fmt::LowerExp + Into<f64>>(value: T) ->
     })
 }
 
-/// Returns a number that is in units of a power of ten, with these decimals. The power is not written if it is 0.
+/// Returns a number that is in units of a power of ten, with these decimals. The power is not written if it
+/// is 0.
 pub fn with_exponent(value: f64, decimals: usize, power: i32) -> String {
     let number = fixed(value, decimals);
     if power == 0 || value == 0.0 { number } else { format!("{number}e{power}") }

@@ -79,13 +79,14 @@ pub struct Args {
     pub grid: String,
 
     /// Print one JSON object for each color, on a line of its own, with unrounded numbers. Its keys are rgb,
-    /// space, method, status, wavelengths_nm, spectrum, values_are, roundtrip_rgb, delta_e2000, linear, grid, beyond,
-    /// kept (if the color was desaturated), sample (of CES99), lights, and notes, which say why a value is null
+    /// space, method, status, wavelengths_nm, spectrum, values_are, roundtrip_rgb, delta_e2000, linear, grid,
+    /// beyond, kept (if the color was desaturated), sample (of CES99), lights, and notes, which say why a
+    /// value is null
     #[arg(long)]
     pub json: bool,
 
-    /// Print the spectra as a table, with a column for each color, which 'nanospectra measure --reflectance -' reads.
-    /// The values are averages over bands around the wavelengths, as the heading 'band-nm' says
+    /// Print the spectra as a table, with a column for each color, which 'nanospectra measure --reflectance
+    /// -' reads. The values are averages over bands around the wavelengths, as the heading 'band-nm' says
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 
@@ -151,7 +152,8 @@ impl Args {
         self
     }
 
-    /// What to do with colors for which no sigmoid is found. With the other methods there is nothing to choose.
+    /// What to do with colors for which no sigmoid is found. With the other methods there is nothing to
+    /// choose.
     pub fn beyond(&self) -> Option<Beyond> {
         (self.method == Method::Sigmoid).then(|| self.beyond.unwrap_or(Beyond::Nearest))
     }

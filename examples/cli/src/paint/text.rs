@@ -67,7 +67,8 @@ pub fn chart(args: &Args, answers: &[Answer], truecolor: bool) -> String {
     chart.into_text()
 }
 
-/// The status, what was done about a color for which no sigmoid was found, and the color difference that is left.
+/// The status, what was done about a color for which no sigmoid was found, and the color difference that is
+/// left.
 pub fn verdict(answer: &Answer) -> String {
     let how = match answer.kept {
         Some(kept) => format!(" (desaturate: {} % of the way from gray)", fixed(100.0 * kept, 1)),

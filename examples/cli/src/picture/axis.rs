@@ -1,7 +1,7 @@
 //! Draws the frame of a diagram, with grid lines and numbers on linear scales.
 //!
-//! An [`Axis`] accepts every finite range of f64: it has few ticks whose numbers differ, and places on the page
-//! are finite.
+//! An [`Axis`] accepts every finite range of f64: it has few ticks whose numbers differ, and places on the
+//! page are finite.
 
 use super::{Area, FAINT, GRID, INK, label};
 use crate::output::number;
@@ -27,7 +27,8 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Returns a scale with these ends, for which `low < high`, and with a number at every multiple of `step`.
+    /// Returns a scale with these ends, for which `low < high`, and with a number at every multiple of
+    /// `step`.
     pub fn between(low: f64, high: f64, step: f64) -> Self {
         let step = step.max((high - low) / MOST_TICKS);
         if low < high && step.is_finite() {
@@ -39,8 +40,8 @@ impl Axis {
 
     /// Returns a scale that contains `low..=high` and ends on ticks of 1, 2 or 5 times a power of ten.
     ///
-    /// The two numbers may be in any order. If they are equal, or nearly so, the scale reaches to half of them
-    /// and to one and a half of them, or from 0 to 1 if they are 0.
+    /// The two numbers may be in any order. If they are equal, or nearly so, the scale reaches to half of
+    /// them and to one and a half of them, or from 0 to 1 if they are 0.
     pub fn holding(low: f64, high: f64) -> Self {
         let [a, b] = [low, high].map(|end| if end.is_nan() { 0.0 } else { end.clamp(f64::MIN, f64::MAX) });
         let (low, high) = (a.min(b), a.max(b));

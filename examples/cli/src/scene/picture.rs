@@ -17,8 +17,8 @@ const SPACING: f32 = 26.0;
 /// Where the columns of the bill begin: part, effect, multiply-adds, bytes, difference without it, patch.
 const COLUMNS: [f32; 6] = [30.0, 250.0, 470.0, 560.0, 600.0, 780.0];
 
-/// Draws into a file. It is `path` if that ends in .svg, and else a file in that directory, which is made if it
-/// is missing.
+/// Draws into a file. It is `path` if that ends in .svg, and else a file in that directory, which is made if
+/// it is missing.
 pub fn write(files: &mut Files, path: &Path, answer: &Answer) -> Result<(), Failure> {
     let path = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
         path.to_owned()

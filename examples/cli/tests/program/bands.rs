@@ -29,7 +29,8 @@ const PROMISED: f32 = 0.002;
 #[test]
 fn a_painted_spectrum_gives_its_color_back_when_it_is_measured() {
     let colors = ["0.8,0.2,0.1", "0.1,0.6,0.9", "0.9,0.8,0.05", "0.5,0.5,0.5", "0.02,0.3,0.1"];
-    // The RGB space has the white of the lamp itself, and not the one that its standard rounds to four digits.
+    // The RGB space has the white of the lamp itself, and not the one that its standard rounds to four
+    // digits.
     let viewing: Viewing<81, Nodes<380, 780>> = Viewing::new(&CIE_1931.under(&D65.fine()).fold(Curve::Step));
     let white = viewing.xyz(Rgb::new(1.0, 1.0, 1.0));
     for grid in GRIDS {

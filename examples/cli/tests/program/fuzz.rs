@@ -1,8 +1,8 @@
 //! Runs the program on command lines and files that a generator wrote, with numbers over all of f64.
 //!
-//! Whatever it gets, the program ends with exit code 0, 1 or 2 and without a panic; it writes no NaN, no infinity
-//! and no null without a note; its pictures are XML; and it changes no file outside the directory of its pictures.
-//! [`runs`] says how to run more cases, or one again.
+//! Whatever it gets, the program ends with exit code 0, 1 or 2 and without a panic; it writes no NaN, no
+//! infinity and no null without a note; its pictures are XML; and it changes no file outside the directory of
+//! its pictures. [`runs`] says how to run more cases, or one again.
 
 mod dice;
 mod input;
@@ -19,7 +19,8 @@ use std::process::{Command, Output, Stdio};
 /// The longest that a picture and a report should be, in bytes.
 const LONGEST: usize = 1_000_000;
 
-/// Returns the first case and the number of cases: `NANOSPECTRA_FUZZ_SEED=7 NANOSPECTRA_FUZZ_RUNS=1` repeats case 7.
+/// Returns the first case and the number of cases: `NANOSPECTRA_FUZZ_SEED=7 NANOSPECTRA_FUZZ_RUNS=1` repeats
+/// case 7.
 fn runs() -> (u64, u64) {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
     (number("NANOSPECTRA_FUZZ_SEED").unwrap_or(1), number("NANOSPECTRA_FUZZ_RUNS").unwrap_or(2000))

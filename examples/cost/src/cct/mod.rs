@@ -106,8 +106,8 @@ impl Band {
         Errors { of_points, largest }
     }
 
-    /// Climbs from a point to the largest error around it: steps in four directions, which become shorter where none
-    /// of them leads further up.
+    /// Climbs from a point to the largest error around it: steps in four directions, which become shorter
+    /// where none of them leads further up.
     fn worst_near(&self, (mut at, mut largest): (Point, f64), method: &Method) -> f64 {
         let [cold, hot] = self.kelvins.map(|kelvin| 1e6 / kelvin);
         let (mut along, mut across) = ((cold - hot) / 40.0, (self.duvs[1] - self.duvs[0]) / 10.0);

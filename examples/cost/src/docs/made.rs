@@ -49,7 +49,8 @@ const FIRST: [(&str, &str, u32, &str); 6] = [
     ("380..730", "folded spline", 81, "81 folded bands"),
 ];
 
-/// Shows the mean and the largest error under three kinds of lamps, the instructions, and the bytes that are read.
+/// Shows the mean and the largest error under three kinds of lamps, the instructions, and the bytes that are
+/// read.
 fn headline(choices: &[Choice]) -> String {
     let mut out =
         "| a surface under a lamp, as | daylight, incandescent | white LEDs | triphosphor | instructions \

@@ -20,8 +20,8 @@ macro_rules! of_each {
 }
 pub(crate) use of_each;
 
-/// Returns the cell of a largest error, which is rounded up to two digits, so that no error is larger than what is
-/// said. (`Std` differs in the last bits from platform to platform anyway.)
+/// Returns the cell of a largest error, which is rounded up to two digits, so that no error is larger than
+/// what is said. (`Std` differs in the last bits from platform to platform anyway.)
 pub fn error_of(error: f64) -> Cell {
     if error <= 0.0 || !error.is_finite() {
         return Cell::figure(error);

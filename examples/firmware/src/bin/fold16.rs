@@ -1,8 +1,8 @@
 //! Turns 16 bands of a surface into XYZ under FL11, with the lamp folded into the observer by the compiler,
 //! and does nothing else.
 //!
-//! `tests/devices.sh` checks that this image has 3 * 16 weights and not one more byte of tables, no `core::fmt`
-//! and no software f64. Linking it proves that it cannot panic.
+//! `tests/devices.sh` checks that this image has 3 * 16 weights and not one more byte of tables, no
+//! `core::fmt` and no software f64. Linking it proves that it cannot panic.
 #![no_std]
 #![no_main]
 

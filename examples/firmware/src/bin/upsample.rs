@@ -1,7 +1,7 @@
 //! Finds a reflectance of 31 bands for one RGB color by the default start map, and does nothing else.
 //!
-//! `tests/devices.sh` checks that the weights, the start map and the solver take at most 2.5 KB of flash, and that
-//! there is no `core::fmt` and no software f64. Linking the image proves that it cannot panic.
+//! `tests/devices.sh` checks that the weights, the start map and the solver take at most 2.5 KB of flash, and
+//! that there is no `core::fmt` and no software f64. Linking the image proves that it cannot panic.
 #![no_std]
 #![no_main]
 

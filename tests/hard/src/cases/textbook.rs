@@ -1,5 +1,5 @@
-//! The elementary functions of the naive forms, in radians as textbooks write them. They are those of `libm`, so
-//! that the form fails and not the function.
+//! The elementary functions of the naive forms, in radians as textbooks write them. They are those of `libm`,
+//! so that the form fails and not the function.
 
 use core::f32::consts::TAU;
 use nanospectra::math::{Libm, Math, sqrt};

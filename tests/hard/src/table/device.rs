@@ -11,8 +11,8 @@ pub struct Numbers {
     pub ours: Vec<f32>,
 }
 
-/// The results by row and input, first with subnormal numbers, then with those flushed to zero where that makes
-/// a difference.
+/// The results by row and input, first with subnormal numbers, then with those flushed to zero where that
+/// makes a difference.
 pub struct Recorded {
     plain: HashMap<(String, usize), Numbers>,
     flushed: HashMap<(String, usize), Numbers>,

@@ -1,9 +1,10 @@
-//! The table of hard cases. Each row has a form that fails in f32 as textbooks write it, the error of the crate
-//! at the same inputs on this machine and on a Cortex-M4F, the error that is allowed, and the test that holds
-//! it.
+//! The table of hard cases. Each row has a form that fails in f32 as textbooks write it, the error of the
+//! crate at the same inputs on this machine and on a Cortex-M4F, the error that is allowed, and the test that
+//! holds it.
 //!
-//! The forms and inputs are those of [`nanospectra_hard::cases`], which a device runs too. [`device`] reads the
-//! results of the device, [`claim`] reads what each row claims, and [`judge`] measures errors against f64.
+//! The forms and inputs are those of [`nanospectra_hard::cases`], which a device runs too. [`device`] reads
+//! the results of the device, [`claim`] reads what each row claims, and [`judge`] measures errors against
+//! f64.
 
 mod claim;
 mod colors;

@@ -2,8 +2,8 @@
 
 use nanospectra::math::sqrt;
 
-/// Returns the temperature in K for x and y by McCamy's approximation, which was made for lights near the locus
-/// between 2856 and 6504 K. It gives no Duv.
+/// Returns the temperature in K for x and y by McCamy's approximation, which was made for lights near the
+/// locus between 2856 and 6504 K. It gives no Duv.
 ///
 /// # Reference
 /// C. S. McCamy, "Correlated color temperature as an explicit function of chromaticity coordinates", Color
@@ -56,8 +56,8 @@ pub static ISOTHERMS: [[f32; 4]; 31] = [
 
 /// Returns K and Duv by Robertson's method, from 1667 K up, and `None` for redder lights and for NaN.
 ///
-/// The point lies between two isotherms. By its distances from the two, the temperature, the point of the locus
-/// and the direction in which Duv grows are interpolated.
+/// The point lies between two isotherms. By its distances from the two, the temperature, the point of the
+/// locus and the direction in which Duv grows are interpolated.
 #[must_use]
 pub fn robertson([u, v]: [f32; 2]) -> Option<[f32; 2]> {
     let mut before: Option<(&[f32; 4], f32)> = None;
@@ -94,9 +94,9 @@ fn between([u, v]: [f32; 2], [a, b]: [&[f32; 4]; 2], [from_a, from_b]: [f32; 2])
 /// Made from the CIE 1931 functions by `NANOSPECTRA_BLESS=1 cargo test -p nanospectra-hard`.
 pub static LOCUS: [[f32; 3]; 466] = include!("locus_1_percent.txt");
 
-/// Returns K and Duv by Ohno's method on his table in steps of 1 %, and `None` beyond the ends of the table. It
-/// uses the triangle of the nearest point and its two neighbors, and from |Duv| = 0.002 on a parabola through
-/// their distances.
+/// Returns K and Duv by Ohno's method on his table in steps of 1 %, and `None` beyond the ends of the table.
+/// It uses the triangle of the nearest point and its two neighbors, and from |Duv| = 0.002 on a parabola
+/// through their distances.
 ///
 /// The whole table is searched. Differences of squares are computed as products, since f32 would lose them in
 /// the form in which he writes them.

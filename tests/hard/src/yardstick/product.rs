@@ -1,6 +1,7 @@
 //! Color without a spectrum, as a renderer in RGB multiplies a light by a surface.
 
-/// The matrix from linear sRGB to XYZ with Y = 100 for white, from the primaries and the white of the standard.
+/// The matrix from linear sRGB to XYZ with Y = 100 for white, from the primaries and the white of the
+/// standard.
 ///
 /// # Reference
 /// IEC 61966-2-1:1999.

@@ -1,8 +1,8 @@
 //! Sums of products, taken one after the other and pairwise, as textbooks advise.
 //!
 //! # Reference
-//! N. J. Higham, "The accuracy of floating point summation", SIAM J. Sci. Comput. 14 (1993): one after the other
-//! the error grows with the number of terms, and pairwise with its logarithm.
+//! N. J. Higham, "The accuracy of floating point summation", SIAM J. Sci. Comput. 14 (1993): one after the
+//! other the error grows with the number of terms, and pairwise with its logarithm.
 
 /// Sums the products of two slices of the same length, one after the other.
 #[must_use]

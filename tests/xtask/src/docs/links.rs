@@ -1,5 +1,5 @@
-//! The links of the pages. Rustdoc finds items that are not there, but neither headings nor pages that are written
-//! as addresses.
+//! The links of the pages. Rustdoc finds items that are not there, but neither headings nor pages that are
+//! written as addresses.
 
 use crate::shell::{Outcome, Shell, root};
 use std::collections::{BTreeMap, HashSet};

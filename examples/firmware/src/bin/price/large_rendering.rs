@@ -1,5 +1,5 @@
-//! Prints the cost of the large calls of `large::rendering` as lines `name number unit`, as `price` does for the steps
-//! of a reading.
+//! Prints the cost of the large calls of `large::rendering` as lines `name number unit`, as `price` does for
+//! the steps of a reading.
 #![no_std]
 #![no_main]
 

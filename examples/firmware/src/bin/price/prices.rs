@@ -1,6 +1,6 @@
-//! Prints the instructions and the bytes of stack of a step as lines `name number unit`, for the input with the
-//! highest cost. It is a module of the images that print and not of the library that they share, since the panic
-//! handler of `semihosting` links.
+//! Prints the instructions and the bytes of stack of a step as lines `name number unit`, for the input with
+//! the highest cost. It is a module of the images that print and not of the library that they share, since
+//! the panic handler of `semihosting` links.
 
 use nanospectra_firmware::clock::Clock;
 use nanospectra_firmware::{stack, steps};

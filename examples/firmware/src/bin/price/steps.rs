@@ -1,5 +1,5 @@
-//! Prints the cost of each step of a reading as lines `name number unit`: instructions and bytes of stack, for
-//! the input with the highest cost.
+//! Prints the cost of each step of a reading as lines `name number unit`: instructions and bytes of stack,
+//! for the input with the highest cost.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! The panic handler of an image that does not link if a panic can be reached. It is a module of the images and
-//! not of the library that they share, since most of them are measured to the byte without that library.
+//! The panic handler of an image that does not link if a panic can be reached. It is a module of the images
+//! and not of the library that they share, since most of them are measured to the byte without that library.
 
 unsafe extern "C" {
     /// A function that is defined nowhere, so that linking fails if it is called.
