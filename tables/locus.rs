@@ -40,6 +40,7 @@ pub fn source(cmf: &Table) -> String {
          /// u, v, du/dk and dv/du at each knot.\n\
          pub(super) static LOCUS: [[f32; 4]; {KNOTS}] = [\n{}];\n\
          /// The same at more knots.\n\
+         #[cfg(feature = \"libm\")]\n\
          static FINE_LOCUS: [[f32; 4]; {fine_knots}] = [\n{}];\n",
         rows(1, cmf),
         rows(FINER, cmf)

@@ -146,6 +146,7 @@ impl Uv1960 {
 
     /// Finds the same to 0.0015 mired, by a table of 784 bytes, for color rendering, which multiplies errors
     /// of the temperature.
+    #[cfg(feature = "libm")]
     pub(super) fn fine_cct(self) -> Cct {
         self.nearest_of(&FINE_LOCUS)
     }

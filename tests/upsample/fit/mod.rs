@@ -1,6 +1,7 @@
 //! How the constants of `tables/upsample` are made: from the CIE 1931 functions and D65, and nothing else.
 
 pub mod basis;
+#[cfg(feature = "libm")]
 pub mod reach;
 pub mod responses;
 pub mod start;

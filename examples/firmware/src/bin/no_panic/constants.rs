@@ -1,27 +1,13 @@
-//! Calls the functions that compute in f64, most of which are meant for constants, in one image.
-//!
-//! Like `no_panic`, which has all others, it does not link if one of them can panic.
-#![no_std]
-#![no_main]
+//! The functions that compute in f64, most of which are meant for constants.
 
-mod call;
-#[path = "../without_panic/mod.rs"]
-mod without_panic;
-
+use crate::calls;
 use nanospectra::{Bins, Nodes, Power};
 use nanospectra::{color, math, matter, observer, sensor, upsample};
 
 type G = Bins<380, 730>;
 type H = Nodes<400, 700>;
 
-#[nanospectra_firmware::entry]
-fn main() -> ! {
-    loop {
-        constants();
-    }
-}
-
-fn constants() {
+pub fn all() {
     calls![
         color::Adaptation::between_const::<color::Bradford>,
         matter::Donaldson::<31, 496, G>::new,

@@ -6,9 +6,10 @@
 #![no_std]
 #![no_main]
 
+#[path = "no_panic/call.rs"]
 mod call;
+#[path = "no_panic/of/mod.rs"]
 mod of;
-#[path = "../without_panic/mod.rs"]
 mod without_panic;
 
 #[nanospectra_firmware::entry]
