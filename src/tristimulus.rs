@@ -141,7 +141,7 @@ impl Xyz {
     /// Returns a sum over X, Y and Z, and the color that it was taken of: this one, or a part of it if the
     /// sum would overflow.
     #[inline(always)]
-    fn in_range(self, sum: impl Fn(Self) -> f32) -> (Self, f32) {
+    pub(crate) fn in_range(self, sum: impl Fn(Self) -> f32) -> (Self, f32) {
         let whole = sum(self);
         if whole <= f32::MAX {
             return (self, whole);

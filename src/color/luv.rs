@@ -119,12 +119,10 @@ impl Luv {
 /// The result is `None` if the sum is not above zero, or is tiny because its terms cancel. No light is like
 /// that.
 fn fractions(color: Xyz) -> Option<[f32; 3]> {
-    // A small part of each, so that the sum is in range for every color.
-    let parts = color.to_array().map(|v| v * (1.0 / 32.0));
-    let sum = parts[0] + 15.0 * parts[1] + 3.0 * parts[2];
+    let (part, sum) = color.in_range(|Xyz { x, y, z }| x + 15.0 * y + 3.0 * z);
     if sum <= 0.0 {
         return None;
     }
-    let parts = parts.map(|v| v / sum);
+    let parts = part.to_array().map(|v| v / sum);
     if parts.iter().any(|part| part.abs() > 1e6) { None } else { Some(parts) }
 }

@@ -1,6 +1,7 @@
 //! That the documented bounds of color spaces and differences hold at the worst colors that a search finds.
 #![cfg(feature = "libm")]
 
+use model::delta_e;
 use model::dominant;
 use model::lab as reference;
 use model::search::{Range, Range::*, worst};
@@ -56,85 +57,33 @@ fn difference(what: &str, bound: f64, got: fn(Lab, Lab) -> f32, exact: impl Fn(P
     worse.is_what_is_promised(what, bound);
 }
 
-/// The difference of chroma and the square of that of hue, without cancellation.
-fn polar([one, two]: Pair) -> (f64, f64) {
-    let (c1, c2) = (one[1].hypot(one[2]), two[1].hypot(two[2]));
-    let (da, db) = (two[1] - one[1], two[2] - one[2]);
-    let chroma = ((one[1] + two[1]) * da + (one[2] + two[2]) * db) / (c1 + c2);
-    let (cross, dot) = (one[1] * db - one[2] * da, one[1] * two[1] + one[2] * two[2]);
-    let hue = if dot > 0.0 { cross * cross / (0.5 * (c1 * c2 + dot)) } else { 2.0 * (c1 * c2 - dot) };
-    (chroma, hue)
-}
-
 fn hue(color: [f64; 3]) -> f64 {
     reference::hue_degrees(color[1], color[2])
 }
 
-/// CIE94 with a kL, K1 and K2.
-fn de94(pair: Pair, [kl, k1, k2]: [f64; 3]) -> f64 {
-    let ((chroma, hue), c1) = (polar(pair), pair[0][1].hypot(pair[0][2]));
-    let lightness = (pair[1][0] - pair[0][0]) / kl;
-    (lightness.powi(2) + (chroma / (1.0 + k1 * c1)).powi(2) + hue / (1.0 + k2 * c1).powi(2)).sqrt()
-}
-
 /// CMC, or nothing beside the steps that the formula has.
-fn de_cmc(pair: Pair, l: f64) -> Option<f64> {
-    let [one, two] = pair;
-    let ((chroma, hue2), c1, h1) = (polar(pair), one[1].hypot(one[2]), hue(one));
-    if (h1 - 164.0).abs() < 1e-3 || (h1 - 345.0).abs() < 1e-3 || (one[0] - 16.0).abs() < 1e-3 {
-        return None;
-    }
-    let t = if (164.0..345.0).contains(&h1) {
-        0.56 + (0.2 * (h1 + 168.0).to_radians().cos()).abs()
-    } else {
-        0.36 + (0.4 * (h1 + 35.0).to_radians().cos()).abs()
-    };
-    let f = (c1.powi(4) / (c1.powi(4) + 1900.0)).sqrt();
-    let sl = if one[0] < 16.0 { 0.511 } else { 0.040975 * one[0] / (1.0 + 0.01765 * one[0]) };
-    let sc = 0.0638 * c1 / (1.0 + 0.0131 * c1) + 0.638;
-    let sh = sc * (f * t + 1.0 - f);
-    Some((((two[0] - one[0]) / (l * sl)).powi(2) + (chroma / sc).powi(2) + hue2 / (sh * sh)).sqrt())
+fn de_cmc([one, two]: Pair, l: f64) -> Option<f64> {
+    let h = hue(one);
+    let is_step = (h - 164.0).abs() < 1e-3 || (h - 345.0).abs() < 1e-3 || (one[0] - 16.0).abs() < 1e-3;
+    (!is_step).then(|| delta_e::cmc(one, two, l, 1.0))
 }
 
 /// CIEDE2000, or nothing beside opposite hues, where the formula has a step.
-fn de2000(pair: Pair) -> Option<f64> {
-    let saturation = |c: f64| (c.powi(7) / (c.powi(7) + 25f64.powi(7))).sqrt();
-    let mean = 0.5 * pair.iter().map(|color| color[1].hypot(color[2])).sum::<f64>();
-    let stretched = pair.map(|[l, a, b]| [l, a * (1.5 - 0.5 * saturation(mean)), b]);
-    let [one, two] = stretched;
-    let (h1, h2) = (hue(one), hue(two));
-    let apart = (h1 - h2).abs();
-    if (apart - 180.0).abs() < 0.01 {
-        return None;
-    }
-    let h = match 0.5 * (h1 + h2) {
-        h if apart < 180.0 => h,
-        h if h < 180.0 => h + 180.0,
-        h => h - 180.0,
-    };
-    let (l, c) = (0.5 * (one[0] + two[0]) - 50.0, 0.5 * (one[1].hypot(one[2]) + two[1].hypot(two[2])));
-    let cos = |degrees: f64| degrees.to_radians().cos();
-    let t = 1.0 - 0.17 * cos(h - 30.0) + 0.24 * cos(2.0 * h) + 0.32 * cos(3.0 * h + 6.0)
-        - 0.20 * cos(4.0 * h - 63.0);
-    let turned = 60.0 * (-((h - 275.0) / 25.0).powi(2)).exp();
-    let (chroma, hue2) = polar(stretched);
-    let clockwise = one[1] * (two[2] - one[2]) < one[2] * (two[1] - one[1]);
-    let lightness = (two[0] - one[0]) / (1.0 + 0.015 * l * l / (20.0 + l * l).sqrt());
-    let chroma = chroma / (1.0 + 0.045 * c);
-    let hue = if clockwise { -hue2.sqrt() } else { hue2.sqrt() } / (1.0 + 0.015 * c * t);
-    let rotation = -2.0 * saturation(c) * turned.to_radians().sin();
-    Some((lightness * lightness + chroma * chroma + hue * hue + rotation * chroma * hue).sqrt())
+fn de2000([one, two]: Pair) -> Option<f64> {
+    let mean = 0.5 * (one[1].hypot(one[2]) + two[1].hypot(two[2]));
+    let stretch = 1.5 - 0.5 * (mean.powi(7) / (mean.powi(7) + 25f64.powi(7))).sqrt();
+    let [h1, h2] = [one, two].map(|[l, a, b]| hue([l, stretch * a, b]));
+    let is_step = ((h1 - h2).abs() - 180.0).abs() < 0.01;
+    (!is_step).then(|| delta_e::de2000(one, two))
 }
 
 #[test]
 fn differences_are_as_exact_as_promised() {
-    let length = |[one, two]: Pair| (0..3).map(|k| (two[k] - one[k]).powi(2)).sum::<f64>().sqrt();
-    difference("cie76", 2.3e-7, cie76, |pair| Some(length(pair)));
-    let (print, cloth) = ([1.0, 0.045, 0.015], [2.0, 0.048, 0.014]);
+    difference("cie76", 2.3e-7, cie76, |[one, two]| Some(delta_e::de76(one, two)));
     let arts = |x, y| cie94(x, y, Cie94Weights::GraphicArts);
-    difference("cie94 for graphic arts", 6e-7, arts, |pair| Some(de94(pair, print)));
+    difference("cie94 for graphic arts", 6e-7, arts, |[one, two]| Some(delta_e::de94(one, two)));
     let textiles = |x, y| cie94(x, y, Cie94Weights::Textiles);
-    difference("cie94 for textiles", 6e-7, textiles, |pair| Some(de94(pair, cloth)));
+    difference("cie94 for textiles", 6e-7, textiles, |[one, two]| Some(delta_e::de94_textiles(one, two)));
     difference("CMC(2:1)", 7.5e-7, |x, y| cmc(x, y, 2.0, 1.0), |pair| de_cmc(pair, 2.0));
     difference("CMC(1:1)", 7.5e-7, |x, y| cmc(x, y, 1.0, 1.0), |pair| de_cmc(pair, 1.0));
     difference("CIEDE2000", 1.5e-6, ciede2000, de2000);

@@ -1,5 +1,6 @@
 //! How exact reconstructions by a learnt prior are, for the worst sets of lamps that a search finds.
 
+use crate::reconstruction::exact_covariance;
 use model::noise::Noise;
 use model::sensor::{self, wide};
 use nanospectra::light;
@@ -18,17 +19,7 @@ fn lights() -> Vec<Light<31, Grid>> {
 
 /// The largest error of an entry, relative to the largest entry, against the covariance of the lamps in f64.
 fn error(lamps: &[Light<31, Grid>], alpha: f32) -> f64 {
-    let rows: Vec<Vec<f64>> = lamps
-        .iter()
-        .map(|lamp| {
-            let values = wide(&[*lamp.values()]).remove(0);
-            let mean = values.iter().sum::<f64>() / 31.0;
-            values.into_iter().map(|v| v / mean).collect()
-        })
-        .collect();
-    let mut covariance = sensor::product(&sensor::transposed(&rows), &rows);
-    covariance.iter_mut().flatten().for_each(|v| *v /= lamps.len() as f64);
-    let expected = sensor::wiener(&wide(AS7341.weights()), &covariance, alpha.into());
+    let expected = sensor::wiener(&wide(AS7341.weights()), &exact_covariance(lamps), alpha.into());
     let got = Reconstruction::wiener(&AS7341, &covariance_of(lamps), alpha).expect("channels that differ");
     let size = expected.iter().flatten().fold(0.0f64, |size, v| size.max(v.abs()));
     let pairs = got.rows().iter().flatten().zip(expected.iter().flatten());

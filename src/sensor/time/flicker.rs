@@ -73,14 +73,7 @@ impl Flicker {
         R: IntoIterator<Item = &'a f32, IntoIter: Clone>,
     {
         let readings = readings.into_iter();
-        let periods = Periods::of(readings.clone(), rate_hz, frequency_hz)?;
-        if periods.per_period < 2.0 {
-            return None;
-        }
-        let mean = periods.mean(readings.clone());
-        if mean <= 0.0 {
-            return None;
-        }
+        let (periods, mean) = Periods::with_light(readings.clone(), rate_hz, frequency_hz)?;
         if !mean.is_finite() {
             return Some(Flicker { mean, percent: f32::NAN, index: f32::NAN });
         }
@@ -219,17 +212,13 @@ const fn whole(periods: f32) -> f32 {
 
 /// How many readings whole periods take up.
 pub(in crate::sensor::time) struct Periods {
-    pub(in crate::sensor::time) per_period: f32,
+    per_period: f32,
     /// The length of all periods together, in readings.
     length: f32,
 }
 
 impl Periods {
-    pub(in crate::sensor::time) fn of<'a>(
-        readings: impl Iterator<Item = &'a f32>,
-        rate_hz: f32,
-        frequency_hz: f32,
-    ) -> Option<Self> {
+    fn of<'a>(readings: impl Iterator<Item = &'a f32>, rate_hz: f32, frequency_hz: f32) -> Option<Self> {
         let per_period = rate_hz / frequency_hz;
         if !(rate_hz > 0.0 && frequency_hz > 0.0 && per_period > 0.0 && per_period.is_finite()) {
             return None;
@@ -238,6 +227,17 @@ impl Periods {
         let periods = whole(readings / per_period);
         let length = (periods * per_period).min(readings);
         (periods >= 1.0 && length > 0.0).then_some(Periods { per_period, length })
+    }
+
+    /// The periods of a light of two or more readings in each, and its mean, which is above zero or NaN.
+    pub(in crate::sensor::time) fn with_light<'a>(
+        readings: impl Iterator<Item = &'a f32> + Clone,
+        rate_hz: f32,
+        frequency_hz: f32,
+    ) -> Option<(Self, f32)> {
+        let periods = Periods::of(readings.clone(), rate_hz, frequency_hz)?;
+        let mean = periods.mean(readings);
+        if periods.per_period < 2.0 || mean <= 0.0 { None } else { Some((periods, mean)) }
     }
 
     /// The readings with their weights, which are 1 but for the last one.
@@ -249,7 +249,7 @@ impl Periods {
             .take_while(|(_, weight)| *weight > 0.0)
     }
 
-    pub(in crate::sensor::time) fn mean<'a>(&self, readings: impl Iterator<Item = &'a f32>) -> f32 {
+    fn mean<'a>(&self, readings: impl Iterator<Item = &'a f32>) -> f32 {
         self.weighted(readings).map(|(value, weight)| value * weight).sum::<f32>() / self.length
     }
 

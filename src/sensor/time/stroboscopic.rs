@@ -72,14 +72,7 @@ where
     R: IntoIterator<Item = &'a f32, IntoIter: Clone>,
 {
     let readings = readings.into_iter();
-    let periods = Periods::of(readings.clone(), rate_hz, frequency_hz)?;
-    if periods.per_period < 2.0 {
-        return None;
-    }
-    let mean = periods.mean(readings.clone());
-    if mean <= 0.0 {
-        return None;
-    }
+    let (periods, mean) = Periods::with_light(readings.clone(), rate_hz, frequency_hz)?;
     let (mut sum, mut hz) = (0.0, frequency_hz);
     while hz <= HIGHEST_HZ && hz < 0.5 * rate_hz {
         let swing = periods.amplitude(readings.clone(), mean, hz / rate_hz) / mean;

@@ -10,7 +10,7 @@ pub struct Check {
     what: &'static str,
     absolute: f64,
     relative: f64,
-    compared: usize,
+    pub compared: usize,
     /// Largest error in units of what is allowed, and where.
     worst: f64,
     worst_at: String,

@@ -10,11 +10,16 @@ pub fn hyab(one: [f64; 3], two: [f64; 3]) -> f64 {
     (one[0] - two[0]).abs() + (one[1] - two[1]).hypot(one[2] - two[2])
 }
 
-/// Differences of lightness and chroma, and the square of the hue difference.
+/// The differences of lightness and chroma, and the square of the hue difference, from the first color to the
+/// second. Nothing cancels, however near the two are.
 fn parts(one: [f64; 3], two: [f64; 3]) -> (f64, f64, f64) {
-    let chroma = one[1].hypot(one[2]) - two[1].hypot(two[2]);
-    let hue2 = (one[1] - two[1]).powi(2) + (one[2] - two[2]).powi(2) - chroma * chroma;
-    (one[0] - two[0], chroma, hue2.max(0.0))
+    let (c1, c2) = (one[1].hypot(one[2]), two[1].hypot(two[2]));
+    let (da, db) = (two[1] - one[1], two[2] - one[2]);
+    let chroma =
+        if c1 + c2 > 0.0 { ((one[1] + two[1]) * da + (one[2] + two[2]) * db) / (c1 + c2) } else { 0.0 };
+    let (cross, dot) = (one[1] * db - one[2] * da, one[1] * two[1] + one[2] * two[2]);
+    let hue2 = if dot > 0.0 { cross * cross / (0.5 * (c1 * c2 + dot)) } else { 2.0 * (c1 * c2 - dot) };
+    (two[0] - one[0], chroma, hue2)
 }
 
 fn de94_with(one: [f64; 3], two: [f64; 3], kl: f64, k1: f64, k2: f64) -> f64 {
@@ -55,20 +60,13 @@ pub fn de2000(one: [f64; 3], two: [f64; 3]) -> f64 {
     let mean_c = 0.5 * (one[1].hypot(one[2]) + two[1].hypot(two[2]));
     let c7 = mean_c.powi(7);
     let g = 0.5 * (1.0 - (c7 / (c7 + 25f64.powi(7))).sqrt());
-    let (a1, a2) = ((1.0 + g) * one[1], (1.0 + g) * two[1]);
-    let (c1, c2) = (a1.hypot(one[2]), a2.hypot(two[2]));
-    let (h1, h2) = (hue_degrees(a1, one[2]), hue_degrees(a2, two[2]));
+    let [one, two] = [one, two].map(|[l, a, b]| [l, (1.0 + g) * a, b]);
+    let (c1, c2) = (one[1].hypot(one[2]), two[1].hypot(two[2]));
+    let (h1, h2) = (hue_degrees(one[1], one[2]), hue_degrees(two[1], two[2]));
     let gray = c1 * c2 == 0.0;
-
-    let mut dh = if gray { 0.0 } else { h2 - h1 };
-    if dh > 180.0 {
-        dh -= 360.0;
-    } else if dh < -180.0 {
-        dh += 360.0;
-    }
-    let delta_l = two[0] - one[0];
-    let delta_c = c2 - c1;
-    let delta_h = 2.0 * (c1 * c2).sqrt() * (dh / 2.0).to_radians().sin();
+    let (delta_l, delta_c, hue2) = parts(one, two);
+    let clockwise = one[1] * (two[2] - one[2]) < one[2] * (two[1] - one[1]);
+    let delta_h = if gray { 0.0 } else { hue2.sqrt().copysign(if clockwise { -1.0 } else { 1.0 }) };
 
     let l = 0.5 * (one[0] + two[0]);
     let c = 0.5 * (c1 + c2);
