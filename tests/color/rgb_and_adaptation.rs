@@ -92,6 +92,17 @@ fn adaptation_is_a_matter_of_chromaticity() {
     assert_eq!(Adaptation::between::<Bradford>(a, Xyz::new(10.0, 1.0, 150.0)), None, "a blue laser");
 }
 
+/// The luminance of a white is no part of an adaptation, in a constant neither.
+#[test]
+fn constant_adaptations_are_a_matter_of_chromaticity() {
+    let (a, d65) = (Xyz::new(109.85, 100.0, 35.58), Xyz::new(95.047, 100.0, 108.883));
+    let one = Adaptation::between_const::<Cat16>(a, d65);
+    // Powers of two, so that no chromaticity is rounded.
+    for (from, to) in [(0.5, 8.0), (4096.0, 1.0), (1.0, 1.0 / 64.0)] {
+        assert_eq!(Adaptation::between_const::<Cat16>(a.scaled(from), d65.scaled(to)), one, "{from}, {to}");
+    }
+}
+
 /// The matrices of an RGB space against those of the model, on the model's digits.
 fn rgb_matrices<S: RgbSpace>(name: &str, matrix: &mut Check) {
     let space = model::rgb::named(name);

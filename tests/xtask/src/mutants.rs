@@ -12,6 +12,9 @@ use std::process::Stdio;
 /// The version whose names of changes the explanations use.
 const TOOL: &str = "27.1.0";
 
+/// The version of cargo-nextest, which runs the tests because it stops at the first that fails.
+const RUNNER: &str = "0.9.143";
+
 /// The folders of the library that are changed. Each of them has a test harness of the same name.
 const STATIONS: [&str; 5] = ["color", "path", "radiometry", "sensor", "upsample"];
 
@@ -38,6 +41,9 @@ pub fn run(choice: &Choice) -> Outcome {
     let shell = Shell::new();
     if !shell.succeeds("cargo mutants --version") {
         shell.run(&format!("cargo install cargo-mutants --version {TOOL} --locked"))?;
+    }
+    if !shell.succeeds("cargo nextest --version") {
+        shell.run(&format!("cargo install cargo-nextest --version {RUNNER} --locked"))?;
     }
     let chosen = choose(&shell, choice)?;
     println!("{} changes", chosen.len());
@@ -107,8 +113,8 @@ fn try_all(shell: &Shell, name: &str, changes: &[&String], tests: &str) -> Outco
     let files: String = files.iter().map(|file| format!(" -f {file}")).collect();
     let exact: String = changes.iter().map(|change| format!(" -F ^{}$", literal(change))).collect();
     let line = format!(
-        "cargo mutants -p nanospectra --profile mutants --no-shuffle --colors never --timeout 200 \
-         -o {folder}{files}{exact} -- {tests}"
+        "cargo mutants -p nanospectra --profile mutants --test-tool nextest --no-shuffle --colors never \
+         --timeout 200 -o {folder}{files}{exact} -- {tests} --max-fail 1:immediate"
     );
     println!("== {} changes, {tests}", changes.len());
     // Its exit code says whether something was missed, which the lists below say better.
