@@ -1,0 +1,49 @@
+//! Reads spectra from the files that meters, spectrometers, laboratories and spreadsheets write, and says what it
+//! assumed.
+
+mod curves;
+mod grid;
+mod options;
+mod reading;
+mod refusal;
+mod table;
+mod text;
+mod unit;
+
+pub use options::{Choice, Options};
+pub use reading::{Curve, Fact, Reading};
+pub use refusal::{Kind, Note, Refusal, Setting};
+pub use unit::{AxisUnit, Quantity, Unit};
+
+use text::encoding::{self, Encoding};
+
+/// Reads the spectra of a file.
+///
+/// # Errors
+/// The file holds no spectrum, or it leaves a question open that only the user can answer; the refusal says which
+/// option does.
+pub fn read(bytes: &[u8], options: &Options) -> Result<Reading, Refusal> {
+    let (text, encoding) = encoding::decode(bytes)?;
+    let mut reading = Reading::default();
+    if encoding == Encoding::Windows1252 {
+        reading.notes.push(Note::assumed("the text is in Windows-1252, because it is not UTF-8", None));
+    }
+    let tables = table::read(&text)?;
+    for grid in &tables.grids {
+        curves::add(grid, options, &mut reading)?;
+    }
+    reading.facts = tables.facts;
+    if reading.curves.is_empty() {
+        return Err(Refusal::of("no column holds a spectrum").settled_by(Setting::Column));
+    }
+    if options.strict
+        && let Some(note) = reading.notes.iter().find(|note| note.kind == Kind::Assumed)
+    {
+        let refusal = Refusal::of(format!("it is not stated that {}", note.what));
+        return Err(match note.setting {
+            Some(setting) => refusal.settled_by(setting),
+            None => refusal,
+        });
+    }
+    Ok(reading)
+}

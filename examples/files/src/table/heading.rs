@@ -1,0 +1,138 @@
+//! Reads what stands above a table: names, units, and facts about the measurement.
+
+use super::body::{Block, is_comment, remark};
+use super::dialect::{Dialect, said};
+use crate::grid::Said;
+use crate::reading::Fact;
+use crate::text::lines::Line;
+use crate::text::number::{Cell, cell};
+use crate::unit::{AxisUnit, Unit, names_axis, plain};
+
+/// What the lines above a table say of it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Heading {
+    /// The names of the columns.
+    pub names: Vec<Said>,
+    /// The units of the columns.
+    pub units: Vec<Said>,
+    /// The unit of all values.
+    pub unit: Option<Said>,
+    /// The unit of the axis.
+    pub axis: Option<Said>,
+}
+
+/// How far above a table its heading may stand, with empty lines between.
+const REACH: usize = 4;
+
+/// Reads the heading of a table, whose lines do not reach above `from`.
+pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Heading {
+    let mut heading = Heading::default();
+    let above = &lines[from..block.lines.start];
+    let mut looked_at = 0;
+    for line in above.iter().rev() {
+        let (text, is_remark) = match remark(line.text) {
+            Some(text) => (text, true),
+            None => (line.text, false),
+        };
+        if text.trim().is_empty() || said(line.text).is_some() {
+            continue;
+        }
+        looked_at += 1;
+        if looked_at > REACH {
+            break;
+        }
+        let Some(cells) = columns(text, line.number, block, dialect, is_remark) else { break };
+        let units = cells.iter().filter(|cell| is_unit(&cell.text)).count();
+        let filled = cells.iter().filter(|cell| !cell.text.is_empty()).count();
+        if heading.units.is_empty()
+            && units > 0
+            && units == filled
+            && !cells.iter().any(|cell| names(&cell.text))
+        {
+            heading.units = cells;
+        } else {
+            heading.names = cells;
+            break;
+        }
+    }
+    for line in above {
+        general(line, &mut heading);
+    }
+    heading
+}
+
+/// Splits a line into one cell for each column, if it can be a heading.
+fn columns(text: &str, line: usize, block: &Block, dialect: Dialect, is_remark: bool) -> Option<Vec<Said>> {
+    let mut cells = Vec::new();
+    dialect.split(text, &mut cells);
+    let about_axis = cells.iter().any(|cell| names_axis(cell));
+    let numbers = cells.iter().filter(|text| matches!(cell(text, dialect.decimal), Cell::Number(_))).count();
+    if cells.len() < 2 || (numbers > 0 && !about_axis) || (is_remark && !about_axis) {
+        return None;
+    }
+    let missing = block.cells as isize - cells.len() as isize;
+    let mut cells: Vec<Said> = cells.iter().map(|cell| Said { text: cell.to_string(), line }).collect();
+    match missing {
+        // R leaves the heading of the row names away.
+        1 if block.first.texts > 0 || block.first.first == 0 && about_axis && !names_axis(&cells[0].text) => {
+            cells.insert(0, Said { text: String::new(), line });
+        }
+        0 => {}
+        _ if missing > 0 && about_axis => {}
+        _ if missing < 0 && about_axis && dialect.separator != super::dialect::Separator::Blanks => {}
+        _ => return None,
+    }
+    cells.resize(block.cells, Said { text: String::new(), line });
+    Some(cells)
+}
+
+fn is_unit(text: &str) -> bool {
+    let bare = text.trim_matches(['[', ']', '(', ')', ' ']);
+    AxisUnit::parse(bare).is_some() || Unit::parse(bare).is_some() || plain(text) == "%"
+}
+
+/// Returns whether a cell names something beside a unit.
+fn names(text: &str) -> bool {
+    names_axis(text) && !is_unit(text)
+}
+
+/// Looks for what is said of all values or of the axis, such as `Y Units: Reflectance (percent)`.
+fn general(line: &Line, heading: &mut Heading) {
+    let text = remark(line.text).unwrap_or(line.text);
+    let low = plain(text);
+    let said = || Some(Said { text: text.trim().to_owned(), line: line.number });
+    if low.contains("unit") {
+        let about = low.split(['=', ':', ',', ';', '\t']).next().unwrap_or("");
+        let value = text.split_once(['=', ':', ',', ';', '\t']).map_or("", |(_, value)| value);
+        if (about.contains('x') || about.contains("wave") || names_axis(value)) && !about.contains('y') {
+            heading.axis = heading.axis.take().or_else(said);
+        } else if Unit::in_heading(value).is_some() {
+            heading.unit = heading.unit.take().or_else(said);
+        }
+    } else if Unit::in_heading(text).is_some_and(|unit| unit.per.is_some()) {
+        heading.unit = heading.unit.take().or_else(said);
+    }
+}
+
+/// Returns the facts that lines state as a name and a value.
+pub fn facts(lines: &[Line]) -> Vec<Fact> {
+    let mut facts = Vec::new();
+    for line in lines {
+        let text = remark(line.text).unwrap_or(line.text).trim();
+        let Some((name, value)) = text.split_once(['\t', '=', ';', ',']).or_else(|| text.split_once(':'))
+        else {
+            continue;
+        };
+        let (name, value) =
+            (name.trim_matches([' ', '"', ':']), value.trim_matches([' ', '"', ',', ';', '\t']));
+        if !name.is_empty() && !value.is_empty() && name.len() <= 60 && value.len() <= 200 {
+            facts.push(Fact { line: line.number, name: name.to_owned(), value: value.to_owned() });
+        }
+    }
+    facts
+}
+
+/// Returns whether all lines are remarks or empty.
+pub fn is_silent(lines: &[Line]) -> bool {
+    lines.iter().all(|line| line.text.trim().is_empty() || is_comment(line.text))
+}
