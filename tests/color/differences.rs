@@ -82,6 +82,29 @@ fn near_pairs_are_as_exact_as_far_ones() {
     all.into_iter().for_each(|check| check.tight(PAIRS));
 }
 
+/// Chromas whose squares overflow in f32 are counted in another unit, which must not show.
+#[test]
+fn huge_pairs_are_as_exact_as_usual_ones() {
+    let mut noise = model::noise::Noise(1018);
+    for _ in 0..2000 {
+        let size = noise.decades(1e17, 1e30);
+        let [a, b, c, d]: [f32; 4] = noise.shares().map(|v: f32| size * (2.0 * v - 1.0));
+        let (x, y) = (Lab::new(50.0, a, b), Lab::new(60.0, c, d));
+        let (one, two) = (wide(x), wide(y));
+        for (name, found, exact) in [
+            ("dE76", cie76(x, y), reference::de76(one, two)),
+            ("dE94", cie94(x, y, Cie94Weights::GraphicArts), reference::de94(one, two)),
+            ("CMC", cmc(x, y, 2.0, 1.0), reference::cmc(one, two, 2.0, 1.0)),
+            ("HyAB", hyab(x, y), reference::hyab(one, two)),
+        ] {
+            assert!(
+                (f64::from(found) / exact - 1.0).abs() < 1e-5,
+                "{name} of {x:?}, {y:?}: {found}, exact {exact}"
+            );
+        }
+    }
+}
+
 #[cfg(feature = "libm")]
 mod de00 {
     use super::*;

@@ -5,6 +5,7 @@ mod appearance;
 mod cct;
 mod color_bits;
 mod differences;
+mod dominant;
 mod hdr;
 mod held_out;
 mod planckian;
