@@ -293,7 +293,7 @@ impl Pq {
         // ln((c1 + c2 y) / (1 + c3 y)) = 2 atanh(s), and |s| <= 0.09
         let s = Self::D * (y - 1.0) / (1.0 + Self::C1 + (Self::C2 + Self::C3) * y);
         let s2 = s * s;
-        let atanh = s + s * s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0 + s2 * (1.0 / 9.0))));
+        let atanh = s + s * s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0)));
         M::exp(2.0 * exponent * atanh)
     }
 
