@@ -74,6 +74,6 @@ pub use time::Window;
 #[cfg(feature = "libm")]
 pub use time::stroboscopic_visibility;
 pub use time::{
-    Advice, AutoExposure, Flicker, LadderError, MAINS_FLICKER_HZ, MAINS_PERIODS_MS, amplitude_at,
-    mean_over_periods, stroboscopic_visibility_with, whole_periods_ms,
+    Advice, AutoExposure, Flicker, LadderError, LightFlickermeter, MAINS_FLICKER_HZ, MAINS_PERIODS_MS,
+    PstLmError, amplitude_at, mean_over_periods, stroboscopic_visibility_with, whole_periods_ms,
 };
