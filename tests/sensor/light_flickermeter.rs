@@ -125,6 +125,26 @@ fn no_light_is_far_off_by_the_classes() {
     }
 }
 
+/// Why the library does not filter as most programs do: the gain of the low pass for steady light, by the
+/// coefficients of its three sections in direct form, of which each was rounded once.
+#[test]
+fn the_direct_form_would_change_the_gain() {
+    let corner = (PI * 35.0 / 50_000.0).tan();
+    let gain = |angle: f64| {
+        let damping = 2.0 * angle.to_radians().sin();
+        let sum = 1.0 + damping * corner + corner * corner;
+        let [input, first, second] = [
+            corner * corner / sum,
+            2.0 * (corner * corner - 1.0) / sum,
+            (1.0 - damping * corner + corner * corner) / sum,
+        ]
+        .map(|coefficient| f64::from(coefficient as f32));
+        4.0 * input / (1.0 + first + second)
+    };
+    let all: f64 = [75.0, 45.0, 15.0].map(gain).iter().product();
+    assert!((all - 1.0 + 0.0034).abs() < 1e-4, "{all}");
+}
+
 /// A rate is a choice: the analog filters do not know of it.
 #[test]
 fn the_severity_hardly_depends_on_the_rate() {

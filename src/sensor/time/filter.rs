@@ -1,7 +1,8 @@
 //! Filters of readings at equal steps, made from analog ones by the bilinear transform.
 //!
 //! Each state is an integrator, so that numbers of 24 bits keep what a reading adds to it, however slow the
-//! filter is. (The coefficients of the usual direct form lie so near to 1 and 2 that they would not.)
+//! filter is. (The coefficients of the usual direct form lie near 1 and 2. To round them, for the low pass at
+//! 50 000 readings a second, changes its gain by 0.34 %: `tests/sensor/light_flickermeter.rs`.)
 
 use crate::math::{cos_turns, sin_turns};
 

@@ -121,13 +121,13 @@ impl LightFlickermeter {
         })
     }
 
-    /// Adds a reading. See the [example](#example).
+    /// Adds a reading, which comes one step after the last. See the [example](#example).
     ///
     /// Readings may be negative, as those of a dark light with noise are. After one that is not a number, or
     /// larger than 1e15, there is no answer.
     pub fn push(&mut self, reading: f32) {
-        // Written so that NaN is refused too.
-        if !(reading.abs() <= LARGEST) {
+        let is_usable = reading.abs() <= LARGEST;
+        if !is_usable {
             self.unusable = true;
             return;
         }
@@ -221,7 +221,7 @@ struct Eye {
 
 impl Eye {
     const GAIN: f32 = 0.041_661;
-    const ZEROS: [f32; 3] = [14.325_108, 49.477_18, 1010.535_8];
+    const ZEROS: [f32; 3] = [14.325_108, 49.477_18, 1_010.535_8];
     const RESONANCE: f32 = 57.521_586;
     const DAMPING: f32 = 51.016_06;
     const POLES: [f32; 2] = [7.699_095, 137.604_85];

@@ -186,7 +186,7 @@ fn visible_flicker(hash: &mut Hash) {
         let Some(mut meter) = LightFlickermeter::new(rate_hz) else { continue };
         for k in 0..(31.0 * rate_hz) as u32 {
             let seconds = k as f32 / rate_hz;
-            let up = if (hz * seconds) as u32 % 2 == 0 { 1.0 } else { 1.02 };
+            let up = if ((hz * seconds) as u32).is_multiple_of(2) { 1.0 } else { 1.02 };
             meter.push(up * (2.0 + Portable::sin_turns(100.0 * seconds) + 0.01 * random.unit()));
         }
         hash.one(meter.pst_lm().unwrap_or_default());

@@ -1,5 +1,9 @@
 //! The light flickermeter of IEC TR 61547-1, in two ways: by the filters of digital flickermeters, and by the
 //! analog filters, which a light that repeats passes as a sum of sines.
+//!
+//! The report gives the analog filters (A.4 and A.5) and leaves to a meter how it computes them. The Matlab
+//! function of Philips takes the bilinear transform, whose corners are kept for the Butterworth filters and
+//! not for the weighting filter. That is the first way here; the second one says what it changes.
 
 use std::f64::consts::{PI, TAU};
 
