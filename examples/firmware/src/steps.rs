@@ -39,7 +39,8 @@ pub fn all(meter: &mut impl Meter) {
     meter.step("xyz-lab-fast", xyz_lab_fast, &colors);
     meter.step("counts-xyz", counts_xyz, &counts);
     meter.step("counts-xyz-meter", counts_xyz_meter, &counts);
-    meter.step("flickermeter-400-readings", flickermeter_400_readings, &[[0.7; 400]]);
+    let pulses = core::array::from_fn(|k| if k % 20 < 10 { 0.6 } else { 0.8 });
+    meter.step("flickermeter-100-readings", flickermeter_100_readings, &[pulses]);
 
     meter.step("fixed-counts-xyz-lux", fixed_counts_xyz_lux, &counts);
     meter.step("fixed-counts-cct-duv", fixed_counts_cct_duv, &counts);
@@ -65,9 +66,9 @@ fn basic_xyz(basic: &BasicCounts<8>, out: &mut Outcome<Xyz>) {
     out.0 = TO_XYZ.xyz(basic);
 }
 
-/// A fiftieth of a second of a waveform, of which every 10th reading is weighted.
+/// The start of a meter, and 5 ms of a waveform, of which every 10th reading is weighted.
 #[inline(never)]
-fn flickermeter_400_readings(readings: &[f32; 400], severity: &mut f32) {
+fn flickermeter_100_readings(readings: &[f32; 100], severity: &mut f32) {
     let Some(mut meter) = LightFlickermeter::new(20_000.0) else { return };
     readings.iter().for_each(|reading| meter.push(*reading));
     *severity = meter.pst_lm().unwrap_or_default();
