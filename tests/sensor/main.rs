@@ -5,6 +5,7 @@ mod auto_exposure;
 mod calibration;
 mod chips;
 mod fixed;
+mod light_flickermeter;
 mod linearity;
 mod measures;
 mod readings;

@@ -18,6 +18,7 @@ const EXPONENT: f32 = 3.7;
 /// `frequency_hz` and its multiples count, up to 2000 Hz, and below half of `rate_hz`; so take at least 4000
 /// readings a second, by a photodiode that is faster than that. The measure is made for light that swings
 /// with 80 Hz or more, and for an office where people move; the European Union demands at most 0.4 of lamps.
+/// Slower flicker is told by [`LightFlickermeter`](crate::sensor::LightFlickermeter).
 ///
 /// The result is `None` as in [`Flicker::of`](crate::sensor::Flicker::of). NaN among the readings makes it
 /// NaN.

@@ -31,6 +31,7 @@ pub mod rgb;
 pub mod transfer;
 
 pub mod flicker;
+pub mod light_flickermeter;
 pub mod sensor;
 
 pub mod fresnel;

@@ -16,10 +16,11 @@ const LIGHTS: [&str; 9] = ["D65", "A", "FL11", "LED-B3", "FL3.1", "E", "HP1", "d
 
 pub fn run_of(dice: &mut Dice) -> Run {
     let mut run = Run::default();
-    match dice.below(4) {
+    match dice.below(5) {
         0 => measure(dice, &mut run),
         1 => sensor(dice, &mut run),
-        2 => paint(dice, &mut run),
+        2 => flicker(dice, &mut run),
+        3 => paint(dice, &mut run),
         _ => scene(dice, &mut run),
     }
     run
@@ -268,6 +269,23 @@ fn part(dice: &mut Dice, mood: Mood) -> String {
         7 => format!("polarizer = {{ axis_deg = {axis}, along = {a}, across = {b} }}\n"),
         _ => format!("retarder = {{ path_difference_nm = {retarded}, axis_deg = {axis} }}\n"),
     }
+}
+
+fn flicker(dice: &mut Dice, run: &mut Run) {
+    let mood = dice.mood();
+    run.give(&["flicker", "waveform", "--rate-hz", &dice.number_in(mood, 100.0, 60_000.0)]);
+    if dice.once_in(2) {
+        run.give(&["--flicker-hz", &dice.number_in(mood, 0.1, 3000.0)]);
+    }
+    if dice.once_in(2) {
+        run.give(&["--json"]);
+    }
+    // A few readings again and again, sometimes for longer than 30 s.
+    let rows: String =
+        (0..1 + dice.below(30)).map(|_| format!("{}\n", dice.number_in(mood, 0.0, 4096.0))).collect();
+    let heading = dice.of(&["", "light\n"]);
+    let times = if dice.once_in(10) { 40_000 / rows.lines().count() } else { 1 + dice.below(20) };
+    run.file("waveform", format!("{heading}{}", rows.repeat(times)));
 }
 
 /// The columns and settings of a log: names, and the values that a setting may have.
