@@ -9,7 +9,7 @@ use crate::LIGHT;
 use crate::fit::reach::{Fold, delta_e};
 use crate::hard::hard;
 use nanospectra::color::transfer::{Bt1886, SrgbTransfer, Transfer};
-use nanospectra::color::{AcesCg, Bt2020, DisplayP3, Rgb, RgbSpace};
+use nanospectra::color::{AcesCg, Bt2020, DisplayP3, ProPhoto, Rgb, RgbSpace};
 use nanospectra::light::daylight;
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Sigmoid, SigmoidReflectance, Solved, Status, Viewing};
@@ -17,15 +17,6 @@ use nanospectra::{Curve, Factor, Fine, Grid, Nodes, Observer, Power, Spectrum};
 
 type Wide = Nodes<380, 780>;
 type Few = Nodes<400, 700>;
-
-/// The space of ISO 22028-2 (ROMM), two of whose primaries are no colors of light.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct ProPhoto;
-impl RgbSpace for ProPhoto {
-    const PRIMARIES: [[f64; 2]; 3] = [[0.7347, 0.2653], [0.1596, 0.8404], [0.0366, 0.0001]];
-    const WHITE: [f64; 2] = [0.3457, 0.3585];
-    type Transfer = SrgbTransfer;
-}
 
 struct Cube<const N: usize, G, S> {
     fold: Fold,
