@@ -1,8 +1,10 @@
-//! Colors at which a search that is a little worse is seen: those of the cubes of 17^3 that it calls unreachable
-//! although a sigmoid has them, that it calls exact although none has, or to which it comes less near.
+//! Colors at which a search that is a little worse is seen: those of the cubes of 17^3 that it calls
+//! unreachable although a sigmoid has them, that it calls exact although none has, or to which it comes less
+//! near.
 //!
 //! They were collected by changes of the search, one at a time, that looked at whole cubes: fewer starts and
-//! steps, wrong signs, other limits of coefficients, of damping and of acceptance, other measures than CIEDE2000.
+//! steps, wrong signs, other limits of coefficients, of damping and of acceptance, other measures than
+//! CIEDE2000.
 
 /// The name of a cube, its bands, and the 16ths of the codes of the colors.
 const HARD: &[(&str, usize, &[[u8; 3]])] = &[

@@ -1,6 +1,6 @@
 //! That a color is called unreachable only if no sigmoid has it, and that the spectrum is then as near as one
-//! can be: on cubes of 17^3 colors, of which plain `cargo test` looks at the hard ones and at a few others, and
-//! all of which are looked at with
+//! can be: on cubes of 17^3 colors. Plain `cargo test` looks at the hard ones and at a few others, and this
+//! looks at all of them:
 //!
 //!     NANOSPECTRA_STRIDE=1 cargo test --release -p nanospectra --test upsample reach::
 #![cfg(feature = "libm")]

@@ -50,8 +50,8 @@ fn row<S: RgbSpace>(space: &str) -> Vec<Cell> {
     row
 }
 
-/// Returns the percentages of the cube that have a sigmoid, which are only counted if `with_sigmoids` is set, and
-/// those that have any spectrum.
+/// Returns the percentages of the cube that have a sigmoid, which are only counted if `with_sigmoids` is set,
+/// and those that have any spectrum.
 fn shares<const N: usize, G: Grid, S: RgbSpace>(with_sigmoids: bool) -> [f64; 2] {
     let eye: Observer<3, N, Factor, G> = CIE_1931.under(&D65.fine()).fold(Curve::Step).with_white_y(1.0);
     let sigmoid: Sigmoid<N, G, S> = Sigmoid::new(&Viewing::new(&eye));

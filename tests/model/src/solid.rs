@@ -11,8 +11,8 @@ pub struct Solid {
 impl Solid {
     /// Of the colors that the bands have, each by itself.
     ///
-    /// The solid is the sum of a segment for each band, from 0 to its color. Each of its faces is spanned by two
-    /// of them, so its membership needs no linear programme.
+    /// The solid is the sum of a segment for each band, from 0 to its color. Each of its faces is spanned by
+    /// two of them, so its membership needs no linear programme.
     pub fn new(bands: &[Color]) -> Self {
         let mut faces = Vec::new();
         for (k, a) in bands.iter().enumerate() {
