@@ -5,6 +5,8 @@ mod any_color;
 mod digits;
 mod displays;
 mod fit;
+#[cfg(feature = "libm")]
+mod hard;
 mod reach;
 mod single_colors;
 mod tables;

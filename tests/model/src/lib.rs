@@ -28,6 +28,7 @@ pub mod adaptation;
 pub mod dominant;
 pub mod linear;
 pub mod rgb;
+pub mod solid;
 pub mod transfer;
 
 pub mod flicker;
