@@ -11,7 +11,7 @@ use nanospectra::sensor::{
     AutoExposure, BasicCounts, Calibration, Count, Drift, Exposure, Fit, Flicker, Meter, Noise, ReadingError,
     Reconstruction, amplitude_at,
     chip::{as7341, tcs3472},
-    nonnegative_spectrum,
+    nonnegative_spectrum, stroboscopic_visibility,
 };
 use nanospectra::{Light, Nodes, Power, const_unwrap};
 
@@ -21,6 +21,7 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("reconstructions", Hash::of(reconstructions));
     report("fits", Hash::of(fits));
     report("noise-flicker", Hash::of(noise_flicker));
+    report("stroboscopic", Hash::of(stroboscopic));
 }
 
 /// Random counts of three chips, from nearly dark to saturated, through random calibrations to colors.
@@ -174,5 +175,18 @@ fn noise_flicker(hash: &mut Hash) {
         hash.maybe(Flicker::of(&wave, 1000.0, hz).map(|flicker| [flicker.percent, flicker.index]));
         hash.maybe(amplitude_at(&wave, 1000.0, hz).map(|amplitude| [amplitude, 0.0]));
         hash.one(ladder[k % 4].residual_modulation(hz));
+    }
+}
+
+/// How visible it is that lamps of many frequencies jump, some of them dark or too fast to be seen.
+fn stroboscopic(hash: &mut Hash) {
+    let mut random = Random(0x5eed_5743);
+    for k in 1..32 {
+        let swing = 0.1 * (k % 11) as f32;
+        let wave: [f32; 80] = from_fn(|n| {
+            1.0 + swing * Portable::sin_turns(0.0125 * (n * k) as f32) + 0.1 * random.unit() - 0.05 * k as f32
+        });
+        let hz = 50.0 * k as f32;
+        hash.maybe(stroboscopic_visibility(&wave, 4000.0, hz).map(|measure| [measure, 0.0]));
     }
 }
