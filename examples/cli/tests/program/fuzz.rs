@@ -5,7 +5,7 @@
 //! its pictures. [`runs`] says how to run more cases, or one again.
 
 mod dice;
-mod input;
+pub mod input;
 
 use crate::fuzz::dice::Dice;
 use crate::fuzz::input::{Run, run_of};

@@ -3,6 +3,9 @@
 use crate::fuzz::dice::{Dice, Mood};
 use nanospectra::sensor::chip::{self, SettingValues};
 
+/// All values of `--space`.
+pub const SPACES: [&str; 8] = ["srgb", "p3", "dci-p3", "bt2020", "adobe", "prophoto", "acescg", "aces2065"];
+
 /// A run of the program: its arguments, what it reads from stdin, and the files in its folder.
 #[derive(Default)]
 pub struct Run {
@@ -150,7 +153,7 @@ fn paint(dice: &mut Dice, run: &mut Run) {
         run.give(&["-"]);
     }
     if dice.once_in(2) {
-        run.give(&["--space", dice.of(&["srgb", "p3", "bt2020", "adobe", "acescg"])]);
+        run.give(&["--space", dice.of(&SPACES)]);
     }
     if dice.once_in(2) {
         run.give(&["--linear"]);
