@@ -17,14 +17,18 @@ pub struct Run {
 /// Names of lights, some of which there are not.
 const LIGHTS: [&str; 9] = ["D65", "A", "FL11", "LED-B3", "FL3.1", "E", "HP1", "d50", "none"];
 
-pub fn run_of(dice: &mut Dice) -> Run {
+/// Writes a run of one command.
+pub type Author = fn(&mut Dice, &mut Run);
+
+/// The commands of the program.
+pub const COMMANDS: [(&str, Author); 4] =
+    [("measure", measure), ("sensor", sensor), ("paint", paint), ("scene", scene)];
+
+/// Returns the run of a command that this seed makes.
+pub fn run_of(seed: u64, (command, author): (&str, Author)) -> Run {
     let mut run = Run::default();
-    match dice.below(4) {
-        0 => measure(dice, &mut run),
-        1 => sensor(dice, &mut run),
-        2 => paint(dice, &mut run),
-        _ => scene(dice, &mut run),
-    }
+    run.give(&[command]);
+    author(&mut Dice::new(seed), &mut run);
     run
 }
 
@@ -92,7 +96,6 @@ fn table(dice: &mut Dice, columns: usize) -> String {
 }
 
 fn measure(dice: &mut Dice, run: &mut Run) {
-    run.give(&["measure"]);
     for k in 0..dice.below(3) {
         let columns = 1 + dice.below(3);
         run.file(&format!("a{k}.csv"), table(dice, columns));
@@ -128,7 +131,6 @@ fn measure(dice: &mut Dice, run: &mut Run) {
 }
 
 fn paint(dice: &mut Dice, run: &mut Run) {
-    run.give(&["paint"]);
     let mood = dice.mood();
     for _ in 0..1 + dice.below(3) {
         let color = match dice.below(6) {
@@ -202,7 +204,6 @@ fn toml(number: String) -> String {
 }
 
 fn scene(dice: &mut Dice, run: &mut Run) {
-    run.give(&["scene"]);
     if dice.once_in(12) {
         run.give(&[dice.of(&["paper", "vest", "wine", "soap", "window", "asphalt", "--list", "none"])]);
         run.report(dice);
@@ -287,7 +288,6 @@ fn settings(chip: Option<&'static chip::Chip>, dice: &mut Dice, mood: Mood) -> V
 }
 
 fn sensor(dice: &mut Dice, run: &mut Run) {
-    run.give(&["sensor"]);
     let mood = dice.mood();
     if dice.once_in(10) {
         run.report_sensor(dice, mood);
