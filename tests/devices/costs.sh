@@ -198,6 +198,12 @@ for profile in release small; do
         done
     done
 done
+# What the compiler sees at one level it may not see at another.
+for profile in opt-1 opt-2 opt-z; do
+    for image in no_panic no_panic_constants; do
+        no_panic $m4f $profile $image no-panic
+    done
+done
 
 # A path of factors must cost as much as a loop by hand, and must not contain code of effects that are not in it.
 effects='fluorescen|onaldson|polariz|Polariz|phosphor|Phosphor'
