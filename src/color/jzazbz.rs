@@ -76,6 +76,9 @@ impl Xyz {
     /// # Accuracy
     /// 2e-7 in Jz and 1e-6 in az and bz (`tests/color/hdr.rs`).
     ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1040 instructions.
+    ///
     /// # Reference
     /// M. Safdar, G. Cui, Y. J. Kim, M. R. Luo, "Perceptually uniform color space for image signals including
     /// high dynamic range and wide gamut", Optics Express 25, 2017.
@@ -117,6 +120,9 @@ impl Jzazbz {
     ///
     /// # Accuracy
     /// 3e-6 of the luminance of the white there and back (`tests/color/hdr.rs`).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1120 instructions.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn xyz(self) -> Option<Xyz> {

@@ -147,6 +147,9 @@ impl Transfer for AdobeRgbTransfer {
 /// # Accuracy
 /// Encoding is within 9e-8, decoding within 1.2e-7, on 0 to 1.
 ///
+/// # Cost
+/// On a Cortex-M4F three components take 687 instructions to encode and 795 to decode.
+///
 /// # Example
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -189,6 +192,9 @@ impl Transfer for Bt709 {
 /// # Accuracy
 /// 7e-8 either way on 0 to 1.
 ///
+/// # Cost
+/// On a Cortex-M4F three components take 664 instructions to encode and 757 to decode.
+///
 /// # Example
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -215,6 +221,9 @@ impl Transfer for DciTransfer {
 ///
 /// # Accuracy
 /// 7e-8 either way on 0 to 1.
+///
+/// # Cost
+/// On a Cortex-M4F three components take 751 instructions to encode and 766 to decode.
 ///
 /// # Example
 /// ```

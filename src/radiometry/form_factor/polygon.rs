@@ -1,9 +1,9 @@
 //! Computes the form factor from a point to a polygon by Lambert's formula.
 
 use crate::geometry::vec3::{cross, difference, dot, length, scaled, sum, to_unity, unit};
-use crate::math::Math;
 #[cfg(feature = "libm")]
 use crate::math::Portable;
+use crate::math::{Math, at_most};
 use crate::radiometry::carried::ratio;
 use crate::radiometry::form_factor::quadrature;
 use crate::radiometry::relations::in_front;
@@ -13,7 +13,7 @@ use core::f32::consts::FRAC_1_PI;
 ///
 /// The normal may have any length other than 0. The polygon emits to the side from which its vertices run
 /// counterclockwise; from behind the factor is 0. The part of the polygon below the point's horizon, or in
-/// the plane of the horizon, does not count. The polygon need not be convex.
+/// the plane of the horizon, does not count. The polygon need not be convex. The factor is at most 1.
 ///
 /// # Accuracy
 /// For quadrilaterals of moderate proportions above the horizon the relative error is at most 1.7e-5, however
@@ -59,7 +59,8 @@ pub fn to_polygon_with<M: Math>(point_m: [f32; 3], normal: [f32; 3], vertices_m:
         let [u, v] = [second, third].map(|vertex| difference(scaled(*vertex, k), first));
         total += above_horizon::<M>(normal, Triangle { corner, u, v });
     }
-    in_front(total * FRAC_1_PI)
+    // Rounding may add up to more than the whole hemisphere.
+    at_most(in_front(total * FRAC_1_PI), 1.0)
 }
 
 /// The share of the distance below which a triangle counts as small.

@@ -150,16 +150,19 @@ impl<const C: usize, const D: usize> Calibration<C, D> {
         });
         let mut k = 0;
         while k < C {
-            let mut pivot = k;
+            let (mut pivot, mut size) = (k, m[k][k].abs());
             const_for!(k + 1..C, |i| {
-                if m[i][k].abs() > m[pivot][k].abs() {
-                    pivot = i;
+                if m[i][k].abs() > size {
+                    (pivot, size) = (i, m[i][k].abs());
                 }
             });
-            m.swap(k, pivot);
-            const_for!(0..D, |d| {
-                self.0[d].swap(k, pivot);
-            });
+            // (The pivot is always below C; saying so keeps the code for a panic out of firmware.)
+            if pivot != k && pivot < C {
+                m.swap(k, pivot);
+                const_for!(0..D, |d| {
+                    self.0[d].swap(k, pivot);
+                });
+            }
             if m[k][k].is_nan() || m[k][k].abs() <= 1e-4 {
                 return Err(CrosstalkError);
             }

@@ -310,8 +310,11 @@ impl fmt::Display for FitError {
         f.write_str(self.message())?;
         match self {
             Self::TooFew { patches, needed } => write!(f, " ({patches} patches for {needed} channels)"),
-            Self::IllConditioned { condition } => write!(f, " (condition {condition:e})"),
-            Self::NotFinite => Ok(()),
+            Self::IllConditioned { condition } if condition.is_finite() => {
+                write!(f, " (condition {condition:e})")
+            }
+            // An infinite condition is no number that a person can compare.
+            Self::IllConditioned { .. } | Self::NotFinite => Ok(()),
             Self::NotConverged { iterations } => write!(f, " (after {iterations} steps)"),
         }
     }
