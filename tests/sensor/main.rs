@@ -14,6 +14,7 @@ mod spectrometer;
 mod stroboscopic;
 mod tables;
 mod worst_priors;
+mod worst_readings;
 
 use nanospectra::sensor::Calibration;
 
