@@ -8,6 +8,7 @@ mod fit;
 mod reach;
 mod single_colors;
 mod tables;
+mod worst_reflectances;
 
 #[cfg(feature = "libm")]
 use nanospectra::{Fine, Power, light::D65};
