@@ -14,6 +14,7 @@ mod spaces;
 mod textbook_slips;
 mod transfer;
 mod worst_colors;
+mod worst_conversions;
 
 use nanospectra::color::Xyz;
 
