@@ -15,6 +15,7 @@ mod spaces;
 mod textbook_slips;
 mod transfer;
 mod worst_colors;
+mod worst_conversions;
 
 use nanospectra::color::Xyz;
 

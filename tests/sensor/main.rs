@@ -15,6 +15,7 @@ mod spectrometer;
 mod stroboscopic;
 mod tables;
 mod worst_priors;
+mod worst_readings;
 
 use nanospectra::sensor::Calibration;
 

@@ -10,6 +10,7 @@ mod hard;
 mod reach;
 mod single_colors;
 mod tables;
+mod worst_reflectances;
 
 #[cfg(feature = "libm")]
 use nanospectra::{Fine, Power, light::D65};
