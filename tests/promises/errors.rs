@@ -5,8 +5,8 @@ use nanospectra::color::{Cct, RenderingError, Xyz};
 use nanospectra::matter::{AbsorberError, FluorescenceError};
 use nanospectra::path::{PolarizationError, SceneFullError};
 use nanospectra::sensor::{
-    CrosstalkError, FitError, LadderError, PixelWavelengthsError, ReadingError, ResponsivityError,
-    ResponsivityErrorKind,
+    CrosstalkError, FitError, LadderError, PixelWavelengthsError, PstLmError, ReadingError,
+    ResponsivityError, ResponsivityErrorKind,
 };
 use nanospectra::{SamplesError, sensor::Channels};
 use std::collections::BTreeSet;
@@ -70,6 +70,9 @@ fn errors() -> Vec<Box<dyn Error>> {
         errors.push(Box::new(SceneFullError { capacity: count }));
         errors
             .push(Box::new(ResponsivityError { line: count as u32, kind: ResponsivityErrorKind::TooLarge }));
+    }
+    for error in [PstLmError::TooShort, PstLmError::NoLight, PstLmError::NotANumber] {
+        errors.push(Box::new(error));
     }
     #[cfg(feature = "heapless")]
     for error in [

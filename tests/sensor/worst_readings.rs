@@ -98,8 +98,8 @@ fn uncertainties_are_as_exact_as_promised() {
         });
         let all = exact.map(|of| of.iter().map(|x| x * x).sum::<f64>().sqrt());
         let mut most = [0.0f64; 2];
-        for cause in 0..3 {
-            let [xx, yy, zz] = [0, 1, 2].map(|k| if k == cause { 1.0 } else { 0.0 });
+        let causes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for (cause, [xx, yy, zz]) in causes.into_iter().enumerate() {
             let covariance = XyzCovariance { xx, yy, zz, ..XyzCovariance::default() };
             // At the end of the range rounding may decide that there is no temperature.
             let Some(found) = covariance.cct(xyz) else { continue };

@@ -43,8 +43,8 @@ use core::fmt;
 /// # Accuracy
 /// Coefficients are within 1e-4 of the largest in their row, for the 99 samples of CIE 224 under any lamps
 /// that [`light::named`](crate::light::named) knows, where narrow lines leave the channels least apart
-/// (searched in `tests/sensor/worst_readings.rs`). Under fluorescent lamps they are within 1.5e-5, for counts
-/// and targets from 1e-30 to 1e28. The fit works on the counts and not on their squares, which would lose
+/// (searched in `tests/sensor/worst_readings.rs`). Under FL2 and FL11 they are within 1.5e-5, for counts and
+/// targets from 1e-30 to 1e28. The fit works on the counts and not on their squares, which would lose
 /// twice the digits.
 ///
 /// What a calibration is worth is another matter. An AS7341 fitted to the 99 samples of CIE 224 under FL2,
