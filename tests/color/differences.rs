@@ -111,6 +111,21 @@ mod de00 {
     use nanospectra::color::{ParametricFactors, ciede2000, ciede2000_with};
     use nanospectra::math::Portable;
 
+    /// A hue of exactly 180 degrees is reached from both sides.
+    #[test]
+    fn the_sign_of_a_zero_does_not_matter() {
+        let mut noise = model::noise::Noise(180);
+        for _ in 0..2000 {
+            let [p, q]: [f32; 2] = noise.shares().map(|v: f32| -100.0 * v);
+            let of = |a: f32, b: f32| ciede2000(Lab::new(50.0, p, a), Lab::new(60.0, q, b)).to_bits();
+            let plain = of(0.0, 0.0);
+            assert!(
+                [of(-0.0, 0.0), of(0.0, -0.0), of(-0.0, -0.0)].iter().all(|bits| *bits == plain),
+                "{p}, {q}"
+            );
+        }
+    }
+
     /// Sharma, Wu and Dalal 2005, table 1, all of it.
     const SHARMA: [([f64; 3], [f64; 3], f64); 34] = [
         ([50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485], 2.0425),

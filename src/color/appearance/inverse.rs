@@ -88,8 +88,8 @@ impl<A: AppearanceModel> ViewingConditions<A> {
         let achromatic = self.achromatic_white * M::powf(share, 1.0 / self.exponent) / self.contrast;
         let below = 23.0 * self.induction * eccentricity(cos, sin) / t + (11.0 * cos + 108.0 * sin);
         let size = 23.0 * (achromatic + 0.305) / below;
-        // Responses within 400 cannot add up to more, and their differences cannot be larger.
-        if achromatic > 1220.0 || below <= 0.0 || size > 900.0 {
+        // Responses within 400 cannot add up to more.
+        if achromatic > 1220.0 || below <= 0.0 {
             return None;
         }
         let (a, b) = (size * cos, size * sin);
