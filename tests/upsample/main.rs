@@ -5,6 +5,7 @@ mod any_color;
 mod digits;
 mod displays;
 mod fit;
+mod from_rgb;
 #[cfg(feature = "libm")]
 mod hard;
 mod reach;
