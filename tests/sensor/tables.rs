@@ -118,6 +118,10 @@ fn numbers_are_the_nearest_f32() {
     assert_eq!((read("1e99999999999"), read("3.5e38")), (None, None));
     assert_eq!(read("0.000000000000000000000000000000000000000000000000000000000001e60"), Some(1.0));
     assert_eq!(read("100000000000000000000000000000000000000000000000000000000e-56"), Some(1.0));
+    // More digits than are counted, on both sides of the point.
+    compare("12345678901234567890123.4567890123456789012345".to_string());
+    compare("1.2345678901234567890123456789e3".to_string());
+    compare("0.12345678901234567890123456789012345".to_string());
 }
 
 proptest! {
