@@ -72,6 +72,12 @@ fn the_one_for_compile_time_panics_with_the_same_words() {
     let _: Small = responsivities("400,1,2\n401,1\n");
 }
 
+#[test]
+#[should_panic(expected = "line 1203: a column is missing")]
+fn lines_of_four_digits_are_named() {
+    let _: Small = responsivities(&format!("{}400,1,2\n401,1\n", "# nothing\n".repeat(1201)));
+}
+
 /// What the table reader makes of one number.
 fn read(number: &str) -> Option<f32> {
     let csv = format!("400,{number}\n");
