@@ -51,12 +51,13 @@ pub fn run(choice: &Choice) -> Outcome {
     for station in STATIONS {
         let here = format!("src/{station}/");
         let ours: Vec<&String> = chosen.iter().filter(|change| change.starts_with(&here)).collect();
-        let tried = try_all(&shell, station, &ours, &[station])?;
+        let tried = try_all(&shell, station, &ours, &[station], "")?;
         all.seen += tried.seen;
         all.unseen.extend(tried.unseen);
     }
-    // What the tests of a folder do not see may be seen by those that use the folder.
-    let again = try_all(&shell, "everywhere", &all.unseen.iter().collect::<Vec<_>>(), &HARNESSES)?;
+    // What the tests of a folder do not see may be seen by those that use the folder, or with all features.
+    let again =
+        try_all(&shell, "everywhere", &all.unseen.iter().collect::<Vec<_>>(), &HARNESSES, " --all-features")?;
     all.seen += all.unseen.len() - again.unseen.len();
     report(&Tried { unseen: again.unseen, ..all })
 }
@@ -101,7 +102,13 @@ fn shuffled(name: &str, seed: u64) -> u64 {
 ///
 /// The tool adds changes of its own in the same files: it also takes fields away whose values would then be
 /// defaults, whether they were asked for or not.
-fn try_all(shell: &Shell, name: &str, changes: &[&String], harnesses: &[&str]) -> Outcome<Tried> {
+fn try_all(
+    shell: &Shell,
+    name: &str,
+    changes: &[&String],
+    harnesses: &[&str],
+    features: &str,
+) -> Outcome<Tried> {
     if changes.is_empty() {
         return Ok(Tried::default());
     }
@@ -115,7 +122,7 @@ fn try_all(shell: &Shell, name: &str, changes: &[&String], harnesses: &[&str]) -
     let tests: String = harnesses.iter().map(|harness| format!(" --cargo-arg=--test={harness}")).collect();
     let line = format!(
         "cargo mutants -p nanospectra --profile mutants --test-tool nextest --no-shuffle --colors never \
-         --timeout 60 -o {folder}{files}{exact}{tests} -- --max-fail 1:immediate"
+         --timeout 60 -o {folder}{files}{exact}{tests}{features} -- --max-fail 1:immediate"
     );
     println!("== {} changes, {name}", changes.len());
     // Its exit code says whether something was missed, which the lists below say better.
