@@ -420,3 +420,32 @@ proptest! {
         }
     }
 }
+
+/// The solver alone gives the bits of the whole, wherever it gives something.
+#[test]
+fn the_solver_alone_gives_the_same_spectrum() {
+    let (mut some, mut all) = (0, 0);
+    crate::cube(9, |color| {
+        let whole = SIGMOID.reflectance(rgb(color));
+        all += 1;
+        if let Some(alone) = SIGMOID.solve(rgb(color)) {
+            some += 1;
+            assert_eq!((whole.spectrum, whole.status), (alone, Status::Exact), "{color:?}");
+        }
+    });
+    assert!(some * 100 > 99 * all, "{some} of {all}");
+}
+
+/// Four times the light misses by four times as much.
+#[test]
+fn the_miss_of_a_light_has_the_scale_of_the_light() {
+    let mut missed = 0;
+    crate::cube(9, |color| {
+        let [one, four] = [1.0, 4.0].map(|scale| WIDE.unbounded(rgb::<Bt2020>(color.map(|v| scale * v))));
+        if let (Status::Unreachable(one), Status::Unreachable(four)) = (one.status, four.status) {
+            missed += 1;
+            assert_eq!([four.asked, four.given], [one.asked.scaled(4.0), one.given.scaled(4.0)], "{color:?}");
+        }
+    });
+    assert!(missed > 30, "{missed}");
+}
