@@ -33,7 +33,7 @@ const MIDDLES: u8 = 8;
 const SIZES: [&[f32]; 2] = [&[0.4], &[0.6, 0.8, 1.0]];
 /// How many steps improve the band of each group, first from a large simplex and then from a small one, and
 /// how many improve the curve in the same way.
-const STEPS: [usize; 4] = [30, 12, 30, 15];
+const STEPS: [usize; 4] = [45, 12, 30, 30];
 /// The curve is good enough when all corners of the simplex are as good as the best, to within this share.
 const ALIKE: f32 = 1e-3;
 /// The steepest curve has a quadratic of this to the fourth, 65536. Steeper ones would lose digits.
