@@ -59,8 +59,8 @@ const SCALE: f32 = 1.101_603_2e6;
 /// are up to 3.1 % wide, by which no light is more than 1.6 % off.
 ///
 /// # Cost
-/// 1208 bytes of memory, however long the run is. A reading costs about 40 operations, and the 2000 to 4000 of
-/// a second that are weighted cost twice as many. [`pst_lm`](Self::pst_lm) reads 512 classes 15 times.
+/// 1208 bytes of memory, however long the run is. At 20 kHz, where every tenth reading is weighted, a
+/// reading takes 65 instructions on a Cortex-M4F and 4240 on a Cortex-M0. [`pst_lm`](Self::pst_lm) reads 512 classes 15 times.
 ///
 /// # Reference
 /// IEC TR 61547-1:2020, annex A; IEC 61000-4-15:2010 for the percentiles and, by its lamp and eye, for the
@@ -160,8 +160,8 @@ impl LightFlickermeter {
     /// 290.
     ///
     /// # Errors
-    /// [`PstLmError`] after less than 30 s, without light (a mean that is not above zero), or after a reading
-    /// that was not a number.
+    /// [`PstLmError`] after less than 30 s, without light (a mean below 1e-12), or after a reading that was not
+    /// a number.
     pub fn pst_lm(&self) -> Result<f32, PstLmError> {
         if self.unusable {
             return Err(PstLmError::NotANumber);
@@ -261,7 +261,7 @@ impl Eye {
 pub enum PstLmError {
     /// The readings are from less than 30 s. See the [example](#example).
     TooShort,
-    /// The mean of the readings is not above zero. See the [example](#example).
+    /// The mean of the readings is below 1e-12. See the [example](#example).
     NoLight,
     /// A reading was not a number, or it was larger than 1e15.
     NotANumber,
