@@ -79,7 +79,10 @@ impl fmt::Display for Cct {
     /// Writes `6503 K, Duv +0.0032`, or the reason why there is no temperature.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Cct::Near { cct_k, duv } => return write!(f, "{cct_k:.0} K, Duv {duv:+.4}"),
+            Cct::Near { cct_k, duv } if cct_k.is_finite() && duv.is_finite() => {
+                return write!(f, "{cct_k:.0} K, Duv {duv:+.4}");
+            }
+            Cct::Near { .. } => "not a color: its chromaticity is not a number",
             Cct::OffLocus => "not a white: more than 0.05 from the Planckian locus",
             Cct::TooCold => "redder than a black body of 1000 K",
             Cct::TooHot => "bluer than a black body of a million K",

@@ -110,9 +110,9 @@ pub fn ciede2000_with<M: Math>(x: Lab, y: Lab, k: ParametricFactors) -> f32 {
     let Polar { c1, c2, dc, .. } = difference;
 
     let (toward, dh) = mean_hue([stretch * x.a, x.b], [stretch * y.a, y.b], &difference);
-    // The mean hue from -1/2 to 1/2 turn, which is a digit more exact than from 0 to 1. Adding 0.0 turns -0.0
-    // into 0.0, because the sign of a zero would depend on the order of the colors.
-    let h = M::atan2(toward[1] + 0.0, toward[0]) * (0.5 * core::f32::consts::FRAC_1_PI);
+    // The mean hue from -1/2 to 1/2 turn, which is a digit more exact than from 0 to 1. All that follows is the
+    // same at both ends.
+    let h = M::atan2(toward[1], toward[0]) * (0.5 * core::f32::consts::FRAC_1_PI);
 
     let t = 1.0 - 0.17 * cos_turns(h - 30.0 / 360.0)
         + 0.24 * cos_turns(2.0 * h)

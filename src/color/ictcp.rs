@@ -92,8 +92,11 @@ impl<T: IctcpTransfer> Ictcp<T> {
     /// an imaginary color, is encoded as the transfer function says. See the [example](Ictcp#example).
     ///
     /// # Accuracy
-    /// With [`Pq`] 8e-7, with [`Hlg`] 5e-7; with [`Pq`] there and back 8e-6 of 10 000 cd/m2
-    /// (`tests/color/hdr.rs`).
+    /// With [`Pq`] 1.2e-6, with [`Hlg`] 6e-7; with [`Pq`] there and back 1.2e-5 of 10 000 cd/m2 (searched in
+    /// `tests/color/worst_conversions.rs`).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1030 instructions with [`Pq`] and 240 with [`Hlg`].
     ///
     /// # Reference
     /// ITU-R BT.2100-2, table 7.
@@ -115,6 +118,9 @@ impl<T: IctcpTransfer> Ictcp<T> {
     ///
     /// The result is `None` where a cone signal is beyond what the transfer function can decode. NaN stays
     /// NaN. See the [example](Ictcp#example).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1100 instructions with [`Pq`] and 289 with [`Hlg`].
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn rgb(self) -> Option<Rgb<Bt2020>> {

@@ -74,7 +74,10 @@ impl Xyz {
     /// color, counts as zero. NaN stays NaN. Components beyond 1e36 overflow.
     ///
     /// # Accuracy
-    /// 2e-7 in Jz and 1e-6 in az and bz (`tests/color/hdr.rs`).
+    /// 3.5e-7 in Jz and 1.2e-6 in az and bz (searched in `tests/color/worst_conversions.rs`).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1040 instructions.
     ///
     /// # Reference
     /// M. Safdar, G. Cui, Y. J. Kim, M. R. Luo, "Perceptually uniform color space for image signals including
@@ -116,7 +119,10 @@ impl Jzazbz {
     /// [example](Jzazbz#example).
     ///
     /// # Accuracy
-    /// 3e-6 of the luminance of the white there and back (`tests/color/hdr.rs`).
+    /// 4e-6 of the luminance of the white there and back (searched in `tests/color/worst_conversions.rs`).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1120 instructions.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn xyz(self) -> Option<Xyz> {

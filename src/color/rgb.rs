@@ -81,7 +81,7 @@ impl<S: RgbSpace> Rgb<S> {
     /// Components beyond 1e37 in size overflow. See the [example](Rgb#example).
     ///
     /// # Accuracy
-    /// 4e-7 (`tests/color/rgb_and_adaptation.rs`).
+    /// 6e-7 of white (searched in `tests/color/worst_conversions.rs`).
     #[must_use]
     pub const fn from_xyz(color: Xyz) -> Self {
         let [r, g, b] = apply(&S::FROM_XYZ, color.scaled(0.01).to_array());

@@ -17,10 +17,10 @@ const FIRST: usize = 15;
 /// changes the index. The result is `None` if one of them has no power there. NaN stays NaN.
 ///
 /// # Accuracy
-/// 2e-5 (`tests/color/rendering.rs`).
+/// 5e-5 and 3e-6 of what the index lacks to 100 (searched in `tests/color/worst_conversions.rs`).
 ///
 /// # Cost
-/// Two sums over the spectrum and a square root.
+/// On a Cortex-M4F it takes 2900 instructions and 930 bytes of stack at opt-level 3, and 1130 bytes at "s".
 ///
 /// # Reference
 /// SMPTE ST 2122:2020; Academy of Motion Picture Arts and Sciences, "Academy Spectral Similarity Index (SSI):

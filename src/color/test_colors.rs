@@ -60,8 +60,10 @@ pub(super) fn under(light: &Fine<Power>) -> Colors {
     let mut colors = [[0.0; 16]; 3];
     for (sums, row) in colors.iter_mut().zip(CIE_1931.weights()) {
         let mut cells = [[0.0; 5]; BLOCK + 5];
-        let blocks = light.values().chunks(5 * BLOCK).zip(row.chunks(5 * BLOCK));
-        for ((light, row), samples) in blocks.zip(SAMPLES.chunks(BLOCK)) {
+        let (mut lights, mut rows) = (light.values().chunks(5 * BLOCK), row.chunks(5 * BLOCK));
+        for samples in SAMPLES.as_chunks::<BLOCK>().0 {
+            // (A zip of chunks would divide by their size, and keep the code for a panic if that were 0.)
+            let (Some(light), Some(row)) = (lights.next(), rows.next()) else { break };
             cells.copy_within(BLOCK.., 0);
             let [_, _, _, _, _, fresh @ ..] = &mut cells;
             let fresh = fresh.as_flattened_mut();
@@ -73,7 +75,8 @@ pub(super) fn under(light: &Fine<Power>) -> Colors {
                 rest.fill(0.0);
             }
             // Sums of eleven nodes are added up: a hundred terms one after the other would lose digits.
-            for (samples, at) in samples.chunks(11).zip(on_nodes(&cells).chunks(11)) {
+            let nodes = on_nodes(&cells);
+            for (samples, at) in samples.as_chunks::<11>().0.iter().zip(nodes.as_chunks::<11>().0) {
                 let mut part = [0.0; 16];
                 samples.iter().zip(at).for_each(|(sample, at)| add(&mut part, *at, sample));
                 add(sums, 1.0, &part);
@@ -89,12 +92,15 @@ pub(super) fn under(light: &Fine<Power>) -> Colors {
 #[inline(never)]
 fn on_nodes(cells: &[[f32; 5]; BLOCK + 5]) -> [f32; BLOCK] {
     let mut nodes = [0.0; BLOCK];
-    for (k, node) in nodes.iter_mut().enumerate() {
-        let mut sum = cells[k + 3][0];
-        for (nm, shares) in SHARES.iter().enumerate() {
-            for (i, share) in shares.iter().enumerate() {
-                sum += share * cells[k + 5 - i][nm + 1];
-            }
+    for (node, near) in nodes.iter_mut().zip(cells.windows(6)) {
+        let [[_, a @ ..], [_, b @ ..], [_, c @ ..], [at_node, d @ ..], [_, e @ ..], [_, f @ ..]] = near
+        else {
+            continue;
+        };
+        let mut sum = *at_node;
+        for ((((((shares, a), b), c), d), e), f) in SHARES.iter().zip(a).zip(b).zip(c).zip(d).zip(e).zip(f) {
+            let [of_f, of_e, of_d, of_c, of_b, of_a] = shares;
+            sum = sum + of_f * f + of_e * e + of_d * d + of_c * c + of_b * b + of_a * a;
         }
         *node = sum;
     }

@@ -145,7 +145,10 @@ impl Transfer for AdobeRgbTransfer {
 /// codes that are at most 2.6e-4 away.
 ///
 /// # Accuracy
-/// Encoding is within 9e-8, decoding within 1.2e-7, on 0 to 1.
+/// Encoding is within 9.5e-8, decoding within 1.2e-7, on 0 to 1.
+///
+/// # Cost
+/// On a Cortex-M4F three components take 687 instructions to encode and 795 to decode.
 ///
 /// # Example
 /// ```
@@ -189,6 +192,9 @@ impl Transfer for Bt709 {
 /// # Accuracy
 /// 7e-8 either way on 0 to 1.
 ///
+/// # Cost
+/// On a Cortex-M4F three components take 664 instructions to encode and 757 to decode.
+///
 /// # Example
 /// ```
 /// # #[cfg(feature = "libm")] {
@@ -215,6 +221,9 @@ impl Transfer for DciTransfer {
 ///
 /// # Accuracy
 /// 7e-8 either way on 0 to 1.
+///
+/// # Cost
+/// On a Cortex-M4F three components take 751 instructions to encode and 766 to decode.
 ///
 /// # Example
 /// ```
@@ -260,8 +269,8 @@ impl Transfer for LinearTransfer {
 ///
 /// # Accuracy
 /// The textbook form loses three digits to `p - c1` and `c2 - c3 p`, because p is close to 1; here p - 1 is
-/// computed instead. Encoding is within 1.1e-7 absolute and 1.6e-6 relative, decoding
-/// within 7e-7 (7 millicandela) and 2.2e-6 relative from 1e-4 cd/m2 up (`tests/color/transfer.rs`).
+/// computed instead. Encoding is within 1.5e-7 absolute and 1.8e-6 relative, decoding within 8e-7 (8
+/// millicandela) and 2.4e-6 relative from 1e-4 cd/m2 up (searched in `tests/color/worst_conversions.rs`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pq;
@@ -293,7 +302,7 @@ impl Pq {
         // ln((c1 + c2 y) / (1 + c3 y)) = 2 atanh(s), and |s| <= 0.09
         let s = Self::D * (y - 1.0) / (1.0 + Self::C1 + (Self::C2 + Self::C3) * y);
         let s2 = s * s;
-        let atanh = s + s * s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0 + s2 * (1.0 / 9.0))));
+        let atanh = s + s * s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0)));
         M::exp(2.0 * exponent * atanh)
     }
 

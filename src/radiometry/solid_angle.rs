@@ -145,12 +145,14 @@ pub fn rectangle_with<M: Math>(width_m: f32, height_m: f32, distance_m: f32) -> 
 /// seen edge-on, which includes points on the triangle and on its vertices.
 ///
 /// # Accuracy
-/// The relative error is at most 4 units of 2^-24 times (1 + c), where c is the condition of the determinant:
-/// the sum of the absolute values of its terms over its value. c is small for a triangle that is seen from
-/// the front, and grows as the view becomes edge-on. Random small triangles of 1e-6 of the distance are
-/// within 1e-4, where the textbook formula has no digit left. If two vertices lie in nearly opposite
-/// directions, the error is at most 20 units times (1 + c + 1 / the sine of the angle between them), because
-/// close to an edge the rounding of the observer's position turns the whole view.
+/// If the vertices are seen within right angles of each other, the relative error is at most 5 units of 2^-24
+/// times (1 + c), where c is the condition of the determinant: the sum of the absolute values of its terms
+/// over its value. c is small for a triangle that is seen from the front, and grows as the view becomes
+/// edge-on. Random small triangles of 1e-6 of the distance are within 1e-4, where the textbook formula has no
+/// digit left. If two vertices lie in nearly opposite directions, the error of random triangles is at most 20
+/// units times (1 + c + 1 / the sine of the angle between them), because close to an edge the rounding of the
+/// observer's position turns the whole view. If all three lie nearly in one line with the observer between
+/// them, there may be no digit left.
 ///
 /// # Reference
 /// Van Oosterom and Strackee 1983, with the determinant of one vertex and two edges.

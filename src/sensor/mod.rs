@@ -39,7 +39,8 @@
 //!    [`Reconstruction`], or from measured patches of known color by a [`Fit`]. [`Meter`] joins both steps
 //!    for an exposure that stays.
 //! 3. [`Noise`] and [`Calibration::covariance`] tell how uncertain the results are, [`AutoExposure`] which
-//!    exposure to take next, and [`Flicker`] how much the light flickers.
+//!    exposure to take next, [`Flicker`] how much the light flickers, and [`LightFlickermeter`] how severe
+//!    that is to the eye.
 //!
 //! What data sheets say of a chip stands in [`chip`], one module for each. It is enough for a first look; an
 //! instrument is made from what is measured of your own chip: a table of its responsivities
@@ -74,6 +75,6 @@ pub use time::Window;
 #[cfg(feature = "libm")]
 pub use time::stroboscopic_visibility;
 pub use time::{
-    Advice, AutoExposure, Flicker, LadderError, MAINS_FLICKER_HZ, MAINS_PERIODS_MS, amplitude_at,
-    mean_over_periods, stroboscopic_visibility_with, whole_periods_ms,
+    Advice, AutoExposure, Flicker, LadderError, LightFlickermeter, MAINS_FLICKER_HZ, MAINS_PERIODS_MS,
+    PstLmError, amplitude_at, mean_over_periods, stroboscopic_visibility_with, whole_periods_ms,
 };

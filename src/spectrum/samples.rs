@@ -148,6 +148,7 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
             Interpolation::Sprague => {
                 let step = regular_step(samples)?;
                 let (first, last) = ends(samples);
+                let scale = scale(first.0, last.0);
                 for (k, value) in values.iter_mut().enumerate() {
                     let nm = Self::center_nm(k);
                     *value = if nm < first.0 {
@@ -155,7 +156,8 @@ impl<Q: Quantity, const N: usize, G: Grid> Spectrum<Q, N, G> {
                     } else if nm > last.0 {
                         outside.beyond(last.1)
                     } else {
-                        regular(samples, &Place::of(nm - first.0, step, samples.len(), by))
+                        let distance = scale * nm - scale * first.0;
+                        regular(samples, &Place::of(distance, step, samples.len(), by))
                     };
                 }
             }
@@ -189,14 +191,22 @@ fn ends(samples: &[(f32, f32)]) -> ((f32, f32), (f32, f32)) {
     }
 }
 
+/// The factor by which wavelengths are multiplied before they are subtracted, so that no difference between
+/// `first` and `last` overflows. It is 1 for all but absurd samples, and then changes no bit.
+fn scale(first: f32, last: f32) -> f32 {
+    if last - first <= 1e38 { 1.0 } else { 0.25 }
+}
+
+/// The distance between two samples, times [`scale`].
 fn regular_step(samples: &[(f32, f32)]) -> Result<f32, SamplesError> {
     if samples.len() < 6 {
         return Err(SamplesError::TooFew { needed: 6 });
     }
     let (first, last) = ends(samples);
-    let step = (last.0 - first.0) / (samples.len() - 1) as f32;
+    let scale = scale(first.0, last.0);
+    let step = (scale * last.0 - scale * first.0) / (samples.len() - 1) as f32;
     for (index, (nm, _)) in samples.iter().enumerate() {
-        if (nm - (first.0 + index as f32 * step)).abs() > 0.01 * step {
+        if (scale * nm - (scale * first.0 + index as f32 * step)).abs() > 0.01 * step {
             return Err(SamplesError::NotRegular { index });
         }
     }
@@ -234,8 +244,10 @@ impl Lines<'_> {
         let below = self.next.checked_sub(1).and_then(|i| self.samples.get(i));
         match (below, self.samples.get(self.next)) {
             (Some(a), Some(b)) => {
-                let middle = ((from - a.0) + (to - a.0)) * 0.5;
-                a.1 + (b.1 - a.1) * (middle / (b.0 - a.0))
+                let scale = scale(a.0, b.0);
+                let start = scale * a.0;
+                let middle = ((scale * from - start) + (scale * to - start)) * 0.5;
+                a.1 + (b.1 - a.1) * (middle / (scale * b.0 - start))
             }
             // The very last sample itself still lies inside.
             (Some(a), None) if a.0 == to => a.1,

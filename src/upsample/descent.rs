@@ -4,11 +4,11 @@
 //! much as in CIE94. The equations are solved without squaring them, since near the limit of what curves can
 //! have their condition is as large as f32 allows.
 
-use crate::color::Xyz;
+use crate::color::Lab;
 use crate::color::matrix::{Matrix, apply};
 use crate::math::{cbrt, sqrt};
 use crate::upsample::newton::sums;
-use crate::upsample::seen::Eye;
+use crate::upsample::seen::{Eye, lab};
 
 /// The largest number of steps.
 const STEPS: usize = 60;
@@ -71,18 +71,22 @@ struct Goal {
 
 impl Goal {
     fn new(xyz: [f32; 3]) -> Self {
-        let (lab, _) = lab(xyz);
-        let [_, a, b] = lab;
+        let Lab { l, a, b } = lab(xyz);
         let chroma = sqrt(a * a + b * b);
         let (cos, sin) = if chroma > 0.0 { (a / chroma, b / chroma) } else { (1.0, 0.0) };
         let (c, h) = (1.0 / (1.0 + 0.045 * chroma), 1.0 / (1.0 + 0.015 * chroma));
-        Goal { lab, along: [cos * c, sin * c], across: [cos * h, sin * h] }
+        Goal { lab: [l, a, b], along: [cos * c, sin * c], across: [cos * h, sin * h] }
     }
 
     /// Returns the weighted differences of another color in lightness, along the direction from gray and
     /// across it, and their derivatives by X, Y and Z.
     fn missing(&self, xyz: [f32; 3]) -> ([f32; 3], Matrix) {
-        let ([l, a, b], [dx, dy, dz]) = lab(xyz);
+        let Lab { l, a, b } = lab(xyz);
+        // The derivatives of the three compressed ratios.
+        let [dx, dy, dz] = xyz.map(|share| {
+            let root = cbrt(share.max(216.0 / 24389.0));
+            1.0 / (3.0 * root * root)
+        });
         let (a, b) = (a - self.lab[1], b - self.lab[2]);
         let ([cc, sc], [ch, sh]) = (self.along, self.across);
         let left = [l - self.lab[0], cc * a + sc * b, ch * b - sh * a];
@@ -91,16 +95,6 @@ impl Goal {
         };
         (left, [[0.0, 116.0 * dy, 0.0], row(cc, sc), row(-sh, ch)])
     }
-}
-
-/// Returns Lab of X, Y and Z that are 1 for white, and the derivatives of the three compressed ratios.
-fn lab(xyz: [f32; 3]) -> ([f32; 3], [f32; 3]) {
-    let lab = Xyz::from(xyz).lab(Xyz::new(1.0, 1.0, 1.0)).map_or([f32::NAN; 3], |lab| [lab.l, lab.a, lab.b]);
-    let slopes = xyz.map(|share| {
-        let root = cbrt(share.max(216.0 / 24389.0));
-        1.0 / (3.0 * root * root)
-    });
-    (lab, slopes)
 }
 
 fn square([a, b, c]: [f32; 3]) -> f32 {

@@ -13,7 +13,7 @@
 use crate::color::matrix::apply;
 use crate::upsample::rsqrt::unsigmoid;
 use crate::upsample::seen::{Asked, Eye};
-use crate::upsample::simplex::least;
+use crate::upsample::simplex::{Vertex, least};
 
 /// A band of bins that are 1, or a gap of bins that are 0.
 #[derive(Clone, Copy)]
@@ -27,62 +27,64 @@ struct Band {
 }
 
 /// How many middles of bands are tried for each size.
-const MIDDLES: u8 = 24;
+const MIDDLES: u8 = 8;
 /// The sizes that are tried, as shares of the cube root of the size asked for. The best of each group is
 /// improved.
-const SIZES: [&[f32]; 2] = [&[0.3, 0.5], &[0.7, 0.85, 1.0, 1.15]];
+const SIZES: [&[f32]; 2] = [&[0.4], &[0.6, 0.8, 1.0]];
 /// How many steps improve the band of each group, first from a large simplex and then from a small one, and
 /// how many improve the curve in the same way.
-const STEPS: [usize; 4] = [50, 20, 60, 50];
+const STEPS: [usize; 4] = [45, 12, 30, 30];
+/// The curve is good enough when all corners of the simplex are as good as the best, to within this share.
+const ALIKE: f32 = 1e-3;
 /// The steepest curve has a quadratic of this to the fourth, 65536. Steeper ones would lose digits.
 const STEEPEST: f32 = 16.0;
+/// What stands for the steepness of a band itself.
+const STEP: f32 = 0.0;
 
 /// Returns the curve that is found nearest to a color, in the sense of CIEDE2000, and its difference.
 #[inline(never)]
 pub(super) fn nearest<const N: usize>(eye: &Eye<'_, N>, asked: &Asked, mean: f32) -> ([f32; 3], f32) {
     let ring = eye.rows.iter().map(mean_of).sum::<f32>();
-    let band = |middle: f32, root: f32| eye.band(ring, middle, root);
-    let flat = |p: &[f32; 2]| asked.delta_e(eye.sees_band(&band(p[0], p[1])));
+    // The middle, the root of the size and the steepness.
+    let off = |p: &[f32; 3]| {
+        let band = eye.band(ring, p[0], p[1]);
+        asked.delta_e(if p[2] == STEP { eye.sees_band(&band) } else { eye.sees(eye.curve(&band, p[2])) })
+    };
     let root = crate::math::cbrt(mean.clamp(1e-5, 1.0));
-    let mut best = ([0.5, root], f32::INFINITY);
+    let mut best = ([0.5, root, STEP], f32::INFINITY);
     for sizes in SIZES {
-        let mut start = ([0.5, root], f32::INFINITY);
+        let mut start = ([0.5, root, STEP], f32::INFINITY);
         for size in sizes {
             let size = (size * root).min(0.9995);
             let length = size * size * size;
             // Evenly spread ones, and the two at the ends of the spectrum.
             let even = (0..MIDDLES).map(|k| (f32::from(k) + 0.5) / f32::from(MIDDLES));
             for middle in even.chain([0.5 * length, 1.0 - 0.5 * length]) {
-                let trial = [middle, size];
-                let off = flat(&trial);
-                if off < start.1 {
-                    start = (trial, off);
-                }
+                try_it(&mut start, [middle, size, STEP], off);
             }
         }
-        let wide = [0.5 / f32::from(MIDDLES), 0.05 * start.0[1]];
-        let found = least(start.0, wide, STEPS[0], flat);
-        let found = least(found.0, [-0.003, 0.005], STEPS[1], flat);
+        let wide = [0.5 / f32::from(MIDDLES), 0.05 * start.0[1], 0.0];
+        let found = least(start, wide, (STEPS[0], 0.0), off);
+        let found = least(found, [-0.003, 0.005, 0.0], (STEPS[1], 0.0), off);
         if found.1 < best.1 {
             best = found;
         }
     }
-    let [middle, root] = best.0;
-    let curve = |p: &[f32; 3]| eye.curve(&band(p[0], p[1]), p[2].clamp(1.0, STEEPEST));
-    let steep = |p: &[f32; 3]| asked.delta_e(eye.sees(curve(p)));
-    let mut start = ([middle, root, STEEPEST], f32::INFINITY);
-    let mut steepness = STEEPEST;
-    for _ in 0..14 {
-        let trial = [middle, root, steepness];
-        let off = steep(&trial);
-        if off < start.1 {
-            start = (trial, off);
-        }
-        steepness *= 0.840_896_4; // the fourth root of 1/2
+    let [middle, root, _] = best.0;
+    let steepest = [middle, root, STEEPEST];
+    let start = (steepest, off(&steepest));
+    let found = least(start, [0.002, 0.003, -0.22 * STEEPEST], (STEPS[2], ALIKE), off);
+    let found = least(found, [0.05, 0.01 * root, -0.1 * found.0[2]], (STEPS[3], ALIKE), off);
+    let [middle, root, steepness] = found.0;
+    (eye.curve(&eye.band(ring, middle, root), steepness), found.1)
+}
+
+/// Replaces the best point by another one if that is better.
+fn try_it(best: &mut Vertex, trial: [f32; 3], value: impl Fn(&[f32; 3]) -> f32) {
+    let found = value(&trial);
+    if found < best.1 {
+        *best = (trial, found);
     }
-    let found = least(start.0, [0.002, 0.003, -0.22 * start.0[2]], STEPS[2], steep);
-    let found = least(found.0, [0.05, 0.01 * root, -0.1 * found.0[2]], STEPS[3], steep);
-    (curve(&found.0), found.1)
 }
 
 /// Returns what the three responses of a bin are in the mean, but no less than 0.
@@ -102,25 +104,30 @@ impl<const N: usize> Eye<'_, N> {
         let to = from + size;
         let is_gap = to > 1.0;
         let (from, to) = if is_gap { (to - 1.0, from) } else { (from, to) };
-        let (from, to) = (self.place(ring * from), self.place(ring * to));
+        let [from, to] = self.places([ring * from, ring * to]);
         let height = (to - from).clamp(0.0, 1.0);
         let middle = 0.5 * (from + to);
         let (from, to) = if height < 1.0 { (middle - 0.5, middle + 0.5) } else { (from, to) };
         Band { from, to, height, is_gap }
     }
 
-    /// Returns how many bins make up a length of the ring.
-    fn place(&self, length: f32) -> f32 {
-        let (mut bins, mut left) = (0.0, length);
+    /// Returns how many bins make up each of two lengths of the ring, of which the second is not shorter.
+    fn places(&self, [first, second]: [f32; 2]) -> [f32; 2] {
+        let (mut from, mut bins, mut passed, mut sought) = (0.0, 0.0, 0.0, first);
+        let mut is_second = false;
         for row in self.rows {
             let mean = mean_of(row);
-            if left < mean {
-                return bins + left / mean;
+            if !is_second && sought < passed + mean {
+                from = bins + (sought - passed) / mean;
+                (is_second, sought) = (true, second);
             }
-            left -= mean;
+            if is_second && sought < passed + mean {
+                return [from, bins + (sought - passed) / mean];
+            }
+            passed += mean;
             bins += 1.0;
         }
-        bins
+        [if is_second { from } else { bins }, bins]
     }
 
     fn sees_band(&self, band: &Band) -> [f32; 3] {
@@ -142,6 +149,7 @@ impl<const N: usize> Eye<'_, N> {
         let bins = N as f32;
         let per_bin = if N > 1 { (last - first) / (bins - 1.0) } else { 0.0 };
         let sign = if band.is_gap { -1.0 } else { 1.0 };
+        let steepness = steepness.clamp(1.0, STEEPEST);
         let steep = sign * ((steepness * steepness) * (steepness * steepness));
         // Both are above -1.
         let (i, j) = (((band.from + 1.0) as u32) as f32 - 1.0, ((band.to + 1.0) as u32) as f32 - 1.0);

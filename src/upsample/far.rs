@@ -5,10 +5,9 @@ use crate::color::matrix::apply;
 use crate::color::{Rgb, RgbSpace};
 use crate::grid::Grid;
 use crate::upsample::descent::descend;
-use crate::upsample::edges::nearest;
+use crate::upsample::edges;
 use crate::upsample::meaning::SigmoidReflectance;
 use crate::upsample::newton;
-use crate::upsample::problem::Problem;
 use crate::upsample::seen::{Asked, Eye};
 use crate::upsample::sigmoid::Sigmoid;
 use crate::upsample::start::StartMap;
@@ -21,28 +20,27 @@ const DARKEST: f32 = 1e-3;
 
 impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// Returns the spectrum of a color for which Newton's method found none: a sigmoid itself, without a
-    /// scale, that has the color or comes as near to it as possible.
+    /// scale, that has the color or comes as near to it as possible. Without `nearest` only what the first
+    /// descent finds is exact, and no nearest color is searched.
     #[inline(never)]
-    pub(super) fn far(&self, asked: Rgb<S>) -> Solved<SigmoidReflectance> {
-        let (eye, xyz) = (self.eye(), self.relative(asked));
-        let (q, found) = self.descended(&eye, xyz);
-        if found {
-            return Solved { spectrum: SigmoidReflectance::of(q), status: Status::Exact };
+    pub(super) fn far(&self, asked: Rgb<S>, nearest: bool) -> Solved<SigmoidReflectance> {
+        let (eye, responses) = (self.eye(), apply(&self.response, asked.to_array()));
+        let xyz = apply(&eye.to_xyz, responses);
+        let exposed = Asked::new(xyz, 0.5);
+        let mut q = descend(&eye, exposed.xyz, exposed.exposure, [0.0; 3]);
+        let mut exact = exposed.delta_e(eye.sees(q)) < 0.5 * NOTHING;
+        if !exact && nearest {
+            // What counts now is the difference of the colors as they are.
+            let plain = Asked::new(xyz, DARKEST);
+            let again = descend(&eye, plain.xyz, plain.exposure, q);
+            let [a, b, c] = responses;
+            let (edges, off_edges) = edges::nearest(&eye, &plain, (a + b + c) * (1.0 / 3.0));
+            let (off, off_again) = (plain.delta_e(eye.sees(q)), plain.delta_e(eye.sees(again)));
+            let (found, off) = if off_again < off { (again, off_again) } else { (q, off) };
+            let (found, off) = if off_edges < off { (edges, off_edges) } else { (found, off) };
+            (q, exact) = (found, off < NOTHING);
         }
-        // What counts now is the difference of the colors as they are.
-        let plain = Asked::new(xyz, DARKEST);
-        let again = descend(&eye, plain.xyz, plain.exposure, q);
-        let (mut q, mut off) = (q, plain.delta_e(eye.sees(q)));
-        let off_again = plain.delta_e(eye.sees(again));
-        if off_again < off {
-            (q, off) = (again, off_again);
-        }
-        let [a, b, c] = apply(&self.response, asked.to_array());
-        let (edges, off_edges) = nearest(&eye, &plain, (a + b + c) * (1.0 / 3.0));
-        if off_edges < off {
-            (q, off) = (edges, off_edges);
-        }
-        let status = if off < NOTHING {
+        let status = if exact {
             Status::Exact
         } else {
             Status::Unreachable(self.miss(asked, newton::responses(&self.rows, q)))
@@ -50,39 +48,13 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         Solved { spectrum: SigmoidReflectance::of(q), status }
     }
 
-    /// Returns the sigmoid that is found for X, Y and Z relative to white, and whether it has the color.
-    fn descended(&self, eye: &Eye<'_, N>, xyz: [f32; 3]) -> ([f32; 3], bool) {
-        let asked = Asked::new(xyz, 0.5);
-        let q = descend(eye, asked.xyz, asked.exposure, [0.0; 3]);
-        (q, asked.delta_e(eye.sees(q)) < 0.5 * NOTHING)
-    }
-
     fn eye(&self) -> Eye<'_, N> {
-        let [x, y, z] = self.shares([1.0; 3]);
-        let of = |responses| {
-            let [a, b, c] = self.shares(responses);
-            [a / x, b / y, c / z]
-        };
-        let [[a, b, c], [d, e, f], [g, h, i]] =
-            [of([1.0, 0.0, 0.0]), of([0.0, 1.0, 0.0]), of([0.0, 0.0, 1.0])];
-        Eye { rows: &self.rows, to_xyz: [[a, d, g], [b, e, h], [c, f, i]] }
-    }
-
-    /// Returns X, Y and Z of a color, each of which is 1 for white.
-    fn relative(&self, rgb: Rgb<S>) -> [f32; 3] {
-        let (white, [x, y, z]) = (self.shares([1.0; 3]), self.shares(apply(&self.response, rgb.to_array())));
-        [x / white[0], y / white[1], z / white[2]]
-    }
-
-    /// Returns the reflectance that has this color, without a search for the nearest if none does.
-    #[inline(never)]
-    pub(super) fn exact(&self, rgb: Rgb<S>) -> Option<SigmoidReflectance> {
-        let problem = Problem::of(rgb.to_array(), &self.response);
-        let solve = |responses| newton::solve::<N, M>(&self.rows, responses);
-        if let Some(solved) = self.answered(rgb, problem, solve) {
-            return (solved.status == Status::Exact).then_some(solved.spectrum);
+        Eye {
+            rows: &self.rows,
+            to_xyz: self.share_matrix().map(|[x, y, z]| {
+                let white = x + y + z;
+                [x / white, y / white, z / white]
+            }),
         }
-        let (q, found) = self.descended(&self.eye(), self.relative(rgb));
-        found.then_some(SigmoidReflectance::of(q))
     }
 }

@@ -15,7 +15,7 @@ use crate::spectrum::{Factor, Spectrum};
 /// makes black.
 ///
 /// # Accuracy
-/// The result is within 3e-7, relative, for reflectances within 0.001..=1. A single paint, or the same paint
+/// The result is within 5e-7, relative, for reflectances within 1e-20..=1. A single paint, or the same paint
 /// twice, has its own reflectance within that.
 ///
 /// # Reference

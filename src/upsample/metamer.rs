@@ -32,8 +32,8 @@ use crate::spectrum::{Factor, Quantity, Spectrum};
 /// ```
 ///
 /// # Accuracy
-/// Of the metameric black the observer sees at most 3e-6 of what it sees of the spectrum
-/// (`tests/upsample/displays.rs`).
+/// Of the metameric black the observer sees in each channel at most 1e-6 of the largest of the three numbers
+/// that it sees of the spectrum (searched in `tests/upsample/worst_reflectances.rs`).
 ///
 /// # Reference
 /// J. B. Cohen, W. E. Kappauf, "Metameric color stimuli, fundamental metamers, and Wyszecki's metameric

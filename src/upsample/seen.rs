@@ -49,6 +49,6 @@ impl Asked {
 }
 
 /// Returns Lab of X, Y and Z that are 1 for white.
-fn lab(xyz: [f32; 3]) -> Lab {
+pub(super) fn lab(xyz: [f32; 3]) -> Lab {
     Xyz::from(xyz).lab(Xyz::new(1.0, 1.0, 1.0)).unwrap_or(Lab::new(f32::NAN, f32::NAN, f32::NAN))
 }

@@ -1,6 +1,6 @@
 //! Upsampling by a sigmoid of a quadratic: from an RGB to the numbers of the curve that has it.
 
-use crate::color::matrix::{Matrix64, apply, inverse64, product64, rounded};
+use crate::color::matrix::{Matrix, Matrix64, apply, inverse64, product64, rounded};
 use crate::color::{Rgb, RgbSpace, Srgb, Xyz};
 use crate::grid::{Bins, Grid};
 use crate::math::const_for;
@@ -135,11 +135,16 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     /// See the [example](crate::upsample#example) of the module.
     ///
     /// # Cost
-    /// On a Cortex-M4F it takes 1,250 bytes of stack at opt-level 3, and 1,440 at "s".
+    /// On a Cortex-M4F it takes 1,180 bytes of stack at opt-level 3, and 1,600 at "s".
     #[must_use]
     pub fn reflectance(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
+        self.searched(rgb, true)
+    }
+
+    /// Returns the reflectance of a color, with the nearest if none has it and `nearest` is set.
+    fn searched(&self, rgb: Rgb<S>, nearest: bool) -> Solved<SigmoidReflectance> {
         let problem = Problem::of(rgb.to_array(), &self.response);
-        self.solved(rgb, problem, |responses| newton::solve::<N, M>(&self.rows, responses))
+        self.solved(rgb, problem, nearest, |responses| newton::solve::<N, M>(&self.rows, responses))
     }
 
     /// Returns a reflectance for a color in linear RGB, which is mixed with the gray of its luminance if no
@@ -151,8 +156,8 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     ///
     /// # Cost
     /// A color for which no sigmoid is found takes up to 10 further searches of sigmoids, beside the one for
-    /// the nearest that [`reflectance`](Self::reflectance) makes. That search compares about 500 colors.
-    /// On a Cortex-M4F it takes 1,400 bytes of stack at opt-level 3, and 1,690 at "s".
+    /// the nearest that [`reflectance`](Self::reflectance) makes. That search compares some hundreds of colors.
+    /// On a Cortex-M4F it takes 1,350 bytes of stack at opt-level 3, and 1,830 at "s".
     #[must_use]
     pub fn desaturated(&self, rgb: Rgb<S>) -> Solved<SigmoidReflectance> {
         let first = self.reflectance(rgb);
@@ -173,7 +178,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
             let trial = kept + part;
             let mixed = rgb.to_array().map(|c| gray + trial * (c - gray));
             let mixed = Rgb::new(mixed[0], mixed[1], mixed[2]);
-            if let Some(spectrum) = self.exact(mixed) {
+            if let Solved { spectrum, status: Status::Exact } = self.searched(mixed, false) {
                 kept = trial;
                 best = at(spectrum, kept, mixed);
             }
@@ -224,7 +229,7 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     ///
     /// # Cost
     /// A color takes 140 ns at N = 31 for x86-64-v3, and 295 ns for the default x86-64 target. On a
-    /// Cortex-M4F it takes 2,500 bytes of stack at opt-level 3, and 2,640 at "s".
+    /// Cortex-M4F it takes 2,400 bytes of stack at opt-level 3, and 2,620 at "s".
     #[must_use]
     pub fn reflectance_8(&self, rgb: &[Rgb<S>; 8]) -> [Solved<SigmoidReflectance>; 8] {
         let nothing = Solved { spectrum: SigmoidReflectance::gray(0.0), status: Status::Exact };
@@ -304,38 +309,25 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
         }
         let found = newton::solve_some::<L, N, M>(&self.rows, &responses);
         for (((rgb, solved), problem), found) in rgb.iter().zip(all).zip(problems).zip(found) {
-            *solved = self.solved(*rgb, problem, |_| found);
+            *solved = self.solved(*rgb, problem, true, |_| found);
         }
     }
 
-    /// Returns the spectrum and the status of a problem, with the curve that `solve` finds.
+    /// Returns the spectrum and the status of a problem, with the curve that `solve` finds, or else with one
+    /// that is searched further.
     #[inline(always)]
     fn solved(
         &self,
         asked: Rgb<S>,
         problem: Problem,
+        nearest: bool,
         solve: impl FnOnce([f32; 3]) -> Option<Found>,
     ) -> Solved<SigmoidReflectance> {
-        match self.answered(asked, problem, solve) {
-            Some(solved) => solved,
-            None => self.far(asked),
-        }
-    }
-
-    /// Returns the spectrum if `solve` finds the curve, or if the problem has none.
-    #[inline(always)]
-    pub(super) fn answered(
-        &self,
-        asked: Rgb<S>,
-        problem: Problem,
-        solve: impl FnOnce([f32; 3]) -> Option<Found>,
-    ) -> Option<Solved<SigmoidReflectance>> {
         let (responses, scale, complement) = match problem {
-            Problem::Done(share, exact) => return Some(self.done(asked, share, exact)),
+            Problem::Done(share, exact) => return self.done(asked, share, exact),
             Problem::Solve { responses, scale, complement } => (responses, scale, complement),
         };
-        let (q, given) = solve(responses)?;
-        let spectrum = SigmoidReflectance { shape: Shape { q }, scale, complement };
+        let Some((q, given)) = solve(responses) else { return self.far(asked, nearest) };
         if let Some(given) = given {
             let miss = if complement {
                 self.miss(asked, given.map(|a| 1.0 - scale * a))
@@ -345,10 +337,13 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
                 Miss { asked: self.xyz(responses), given: self.xyz(given), white: self.xyz([1.0; 3]) }
             };
             if !miss.is_nothing() {
-                return None;
+                return self.far(asked, nearest);
             }
         }
-        Some(Solved { spectrum, status: Status::Exact })
+        Solved {
+            spectrum: SigmoidReflectance { shape: Shape { q }, scale, complement },
+            status: Status::Exact,
+        }
     }
 
     /// Returns the spectrum and the status of a constant.
@@ -379,12 +374,20 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     }
 
     /// Returns X, Y and Z of responses, as shares of the Y of white.
-    pub(super) fn shares(&self, [a, b, c]: [f32; 3]) -> [f32; 3] {
-        static TO_XYZ: [[f32; 3]; 3] = rounded(&inverse64(&widened(&RESPONSES)));
+    fn shares(&self, [a, b, c]: [f32; 3]) -> [f32; 3] {
         let [u, v, w] = self.white;
         apply(&TO_XYZ, [u * a, v * b, w * c])
     }
+
+    /// Returns the matrix that does the same.
+    pub(super) fn share_matrix(&self) -> Matrix {
+        let [u, v, w] = self.white;
+        TO_XYZ.map(|[a, b, c]| [u * a, v * b, w * c])
+    }
 }
+
+/// The matrix from the sums of responses to X, Y and Z.
+static TO_XYZ: Matrix = rounded(&inverse64(&widened(&RESPONSES)));
 
 const fn widened(m: &[[f32; 3]; 3]) -> Matrix64 {
     let [[a, b, c], [d, e, f], [g, h, i]] = *m;

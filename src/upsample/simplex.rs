@@ -1,21 +1,22 @@
 //! The simplex method of Nelder and Mead, which finds the least of a function that has no derivatives.
 
 /// A point, and the value of the function there.
-type Vertex<const D: usize> = ([f32; D], f32);
+pub(super) type Vertex = ([f32; 3], f32);
 
 /// Returns the least that a number of steps finds from `start`, where `widths` are the sizes of the first
-/// simplex. A value that is NaN counts as larger than any number.
+/// simplex. Along a width of 0 nothing is searched. The steps end when the value at the worst corner is
+/// within this share of that at the best. A value that is NaN counts as larger than any number.
 ///
 /// # Reference
 /// J. A. Nelder, R. Mead, "A simplex method for function minimization", The Computer Journal 7 (1965).
-pub(super) fn least<const D: usize>(
-    start: [f32; D],
-    widths: [f32; D],
-    steps: usize,
-    mut value: impl FnMut(&[f32; D]) -> f32,
-) -> Vertex<D> {
-    let mut best = (start, value(&start));
-    let mut rest = [best; D];
+pub(super) fn least(
+    start: Vertex,
+    widths: [f32; 3],
+    (steps, share): (usize, f32),
+    value: impl Fn(&[f32; 3]) -> f32,
+) -> Vertex {
+    let mut best = start;
+    let mut rest = [best; 3];
     for (k, vertex) in rest.iter_mut().enumerate() {
         for (j, (part, width)) in vertex.0.iter_mut().zip(widths).enumerate() {
             *part += if j == k { width } else { 0.0 };
@@ -29,16 +30,19 @@ pub(super) fn least<const D: usize>(
             }
         }
         // The worst, the middle of all others, and the worst of those.
-        let (mut worst, mut middle, mut second) = (best, [0.0; D], f32::NEG_INFINITY);
+        let (mut worst, mut middle, mut second) = (best, [0.0; 3], f32::NEG_INFINITY);
         for vertex in rest {
             let is_worst = vertex.1.total_cmp(&worst.1).is_gt();
             let other = if is_worst { core::mem::replace(&mut worst, vertex) } else { vertex };
             for (middle, part) in middle.iter_mut().zip(other.0) {
-                *middle += part / D as f32;
+                *middle += part * (1.0 / 3.0);
             }
             second = if other.1 < second { second } else { other.1 };
         }
-        let mut at = |part: f32| {
+        if worst.1 - best.1 < share * best.1 {
+            break;
+        }
+        let at = |part: f32| {
             let mut point = middle;
             for (point, worst) in point.iter_mut().zip(worst.0) {
                 *point += part * (worst - *point);

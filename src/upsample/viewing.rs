@@ -12,10 +12,11 @@ use core::marker::PhantomData;
 /// Make it by [`new`](Self::new) while compiling, and make a [`Sigmoid`](crate::upsample::Sigmoid) or a
 /// [`Basis`](crate::upsample::Basis) from it. Call [`rgb`](Self::rgb) to get the RGB of a surface.
 ///
-/// For sRGB, Display P3, BT.2020 and Adobe RGB put the observer under D65, for ACEScg under daylight of 6000
-/// K. The light is not checked: RGB (1, 1, 1) is the perfect white surface under the light that you choose.
-/// This holds exactly, since the matrix is made from the primaries of the space and from the sums of the
-/// observer's own weights on this grid, and not from the white point that the standard rounds to four digits.
+/// For sRGB, Display P3, BT.2020 and Adobe RGB put the observer under D65, for ProPhoto RGB under D50, for
+/// ACEScg and ACES2065-1 under daylight of 6000 K. The light is not checked: RGB (1, 1, 1) is the perfect
+/// white surface under the light that you choose. This holds exactly, since the matrix is made from the
+/// primaries of the space and from the sums of the observer's own weights on this grid, and not from the
+/// white point that the standard rounds to four digits.
 ///
 /// Fold the observer with [`Curve::Step`](crate::Curve::Step), whose weights are not negative, unless another
 /// one looks at the spectra: a color is exact for the observer that it was solved for.

@@ -102,10 +102,11 @@ fn agrees(uv: Uv1960, outcome: Cct) -> Result<(), String> {
 }
 
 #[test]
-fn a_million_random_points_get_the_nearest_temperature_or_a_reason() {
+fn random_points_get_the_nearest_temperature_or_a_reason() {
     let mut noise = Noise(0x9e37_79b9_7f4a_7c15);
     let (mut near, mut checked, mut wrong) = (0, 0, Vec::new());
-    for k in 0..1_000_000u32 {
+    let points = if cfg!(debug_assertions) { 100_000 } else { 1_000_000 };
+    for k in 0..points {
         let uv = match k % 4 {
             // Any bits at all: huge, tiny, infinite, NaN.
             0 => Uv1960 { u: f32::from_bits(noise.bits()), v: f32::from_bits(noise.bits()) },
@@ -132,8 +133,8 @@ fn a_million_random_points_get_the_nearest_temperature_or_a_reason() {
             wrong.extend(agrees(uv, outcome).err());
         }
     }
-    println!("{near} of a million have a temperature, {checked} compared with the exact search");
-    assert!(near > 100_000 && checked > 5000, "{near} {checked}");
+    println!("{near} of {points} have a temperature, {checked} compared with the exact search");
+    assert!(near > points / 10 && checked > points / 200, "{near} {checked}");
     assert!(
         wrong.is_empty(),
         "{} of {checked} are wrong:\n{}",

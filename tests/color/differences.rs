@@ -82,11 +82,49 @@ fn near_pairs_are_as_exact_as_far_ones() {
     all.into_iter().for_each(|check| check.tight(PAIRS));
 }
 
+/// Chromas whose squares overflow in f32 are counted in another unit, which must not show.
+#[test]
+fn huge_pairs_are_as_exact_as_usual_ones() {
+    let mut noise = model::noise::Noise(1018);
+    for _ in 0..2000 {
+        let size = noise.decades(1e17, 1e30);
+        let [a, b, c, d]: [f32; 4] = noise.shares().map(|v: f32| size * (2.0 * v - 1.0));
+        let (x, y) = (Lab::new(50.0, a, b), Lab::new(60.0, c, d));
+        let (one, two) = (wide(x), wide(y));
+        for (name, found, exact) in [
+            ("dE76", cie76(x, y), reference::de76(one, two)),
+            ("dE94", cie94(x, y, Cie94Weights::GraphicArts), reference::de94(one, two)),
+            ("CMC", cmc(x, y, 2.0, 1.0), reference::cmc(one, two, 2.0, 1.0)),
+            ("HyAB", hyab(x, y), reference::hyab(one, two)),
+        ] {
+            assert!(
+                (f64::from(found) / exact - 1.0).abs() < 1e-5,
+                "{name} of {x:?}, {y:?}: {found}, exact {exact}"
+            );
+        }
+    }
+}
+
 #[cfg(feature = "libm")]
 mod de00 {
     use super::*;
     use nanospectra::color::{ParametricFactors, ciede2000, ciede2000_with};
     use nanospectra::math::Portable;
+
+    /// A hue of exactly 180 degrees is reached from both sides.
+    #[test]
+    fn the_sign_of_a_zero_does_not_matter() {
+        let mut noise = model::noise::Noise(180);
+        for _ in 0..2000 {
+            let [p, q]: [f32; 2] = noise.shares().map(|v: f32| -100.0 * v);
+            let of = |a: f32, b: f32| ciede2000(Lab::new(50.0, p, a), Lab::new(60.0, q, b)).to_bits();
+            let plain = of(0.0, 0.0);
+            assert!(
+                [of(-0.0, 0.0), of(0.0, -0.0), of(-0.0, -0.0)].iter().all(|bits| *bits == plain),
+                "{p}, {q}"
+            );
+        }
+    }
 
     /// Sharma, Wu and Dalal 2005, table 1, all of it.
     const SHARMA: [([f64; 3], [f64; 3], f64); 34] = [

@@ -32,6 +32,16 @@ fn ictcp_gives_the_published_examples() {
     ]) {
         assert!((found - printed).abs() < 2e-6, "{found}, printed {printed}");
     }
+    // The example of colour-science 0.4.7, of colors that differ in all three.
+    let one = Ictcp::<Pq>::new(0.488_546_8, -0.047_393_51, 0.074_754_01);
+    let other = Ictcp::<Pq>::new(0.489_920_3, -0.045_675_08, 0.073_613_42);
+    assert!((one.delta_e_itp(other) - 1.426_572).abs() < 1e-4);
+    // A step of Ct counts half, and each alone.
+    let apart = |i, ct, cp| Ictcp::<Pq>::new(0.5, 0.25, 0.125).delta_e_itp(Ictcp::new(i, ct, cp));
+    assert_eq!(
+        [apart(0.25, 0.25, 0.125), apart(0.5, 0.5, 0.125), apart(0.5, 0.25, 0.375)],
+        [180.0, 90.0, 180.0]
+    );
     // BT.2124 asks for 720 steps from black to 10 000 cd/m2.
     let white = Ictcp::<Pq>::from_rgb(Rgb::new(1.0, 1.0, 1.0));
     assert!((white.delta_e_itp(Ictcp::new(0.0, 0.0, 0.0)) - 720.0).abs() < 1e-3);

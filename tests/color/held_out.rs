@@ -166,6 +166,18 @@ fn worst_lamps() -> impl Iterator<Item = Lamp> {
     })
 }
 
+/// Where each error is largest of all lights below. The dev profile looks at these, and at the first lamp of
+/// each kind.
+const HARDEST: [&str; 7] = [
+    "BlackBody 5 380..730 every 10 nm",
+    "BlackBody 23 380..780 every 5 nm",
+    "BlackBody 26 every nm",
+    "FilteredTungsten 35 380..780 every 5 nm",
+    "Halophosphate 23 every nm",
+    "NarrowDiodes 11 every nm",
+    "Triphosphor 33 380..730 every 10 nm",
+];
+
 #[test]
 fn lamps_of_no_table_render_as_the_model_says() {
     let mut rendering = Rendering::of_any_lamp();
@@ -174,23 +186,25 @@ fn lamps_of_no_table_render_as_the_model_says() {
     let mut compared = 0;
     for kind in KINDS {
         for k in 0..40 {
-            let lamp = Lamp::drawn(kind, DUV, &mut noise);
-            let place = |axis: &str| format!("{kind:?} {k} {axis}");
-            let power = lamp.power();
-            if let Some([.., error]) =
-                rendering.compare(&place("every nm"), &at_every_nanometer(power.clone()))
+            let power = Lamp::drawn(kind, DUV, &mut noise).power();
+            let left_out = |place: &str| cfg!(debug_assertions) && k > 0 && !HARDEST.contains(&place);
+            let place = format!("{kind:?} {k} every nm");
+            if !left_out(&place)
+                && let Some([.., error]) = rendering.compare(&place, &at_every_nanometer(power.clone()))
             {
                 compared += 1;
-                mired.value(&place("every nm"), error, 0.0);
+                mired.value(&place, error, 0.0);
             }
             for axis in &AXES {
-                let place = place(&format!("{}..{} every {} nm", axis.from, axis.to, axis.step));
-                compared += u32::from(rendering.compare(&place, &on_axis(&power, axis)).is_some());
+                let place = format!("{kind:?} {k} {}..{} every {} nm", axis.from, axis.to, axis.step);
+                if !left_out(&place) {
+                    compared += u32::from(rendering.compare(&place, &on_axis(&power, axis)).is_some());
+                }
             }
         }
     }
     println!("{compared} lights compared");
-    assert!(compared > 1800, "{compared}");
+    assert!(compared > if cfg!(debug_assertions) { 50 } else { 1800 }, "{compared}");
     mired.tight_over_all();
     rendering.tight();
 }

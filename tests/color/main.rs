@@ -5,6 +5,7 @@ mod appearance;
 mod cct;
 mod color_bits;
 mod differences;
+mod dominant;
 mod hdr;
 mod held_out;
 mod planckian;
@@ -14,6 +15,7 @@ mod spaces;
 mod textbook_slips;
 mod transfer;
 mod worst_colors;
+mod worst_conversions;
 
 use nanospectra::color::Xyz;
 

@@ -159,3 +159,21 @@ fn the_similarity_of_lights_is_that_of_colour_science() {
     assert_eq!((ssi(&dark, &e), ssi(&e, &dark)), (None, None));
     assert!(ssi(&Fine::flat(f32::NAN), &e).is_some_and(f32::is_nan));
 }
+
+/// A light with a negative line: white as daylight, but the red sample would reflect less than nothing of it.
+#[test]
+fn a_sample_without_light_is_no_color() {
+    use nanospectra::observer::CIE_1931;
+    let lines = [450, 595, 640];
+    let rows = CIE_1931.weights();
+    let columns = [0, 1, 2].map(|row: usize| lines.map(|nm| f64::from(rows[row][nm - 360])));
+    let white = [0.9642, 1.0, 0.8249];
+    let powers = model::linear::apply(model::linear::inverse(columns), white);
+    assert!(powers[0] > 0.0 && powers[1] > 0.0 && powers[2] < 0.0, "{powers:?}");
+    let samples: Vec<(f32, f32)> = (360..=830)
+        .map(|nm| (nm as f32, lines.iter().position(|line| *line == nm).map_or(0.0, |k| powers[k] as f32)))
+        .collect();
+    let lamp = Fine::interpolated(&samples, Interpolation::Linear).expect("a good spectrum");
+    assert_eq!(cri(&lamp).map(|found| found.ra), Err(RenderingError::Unreal));
+    assert_eq!(tm30(&lamp).map(|found| found.rf), Err(RenderingError::Unreal));
+}

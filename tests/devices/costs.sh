@@ -96,7 +96,7 @@ inside() {
 
 # The images that print "what number unit", where no unit means instructions, and those whose flash is measured. Finding
 # a spectrum for a color is not counted on the M0, where it takes more instructions than the counter can hold.
-counting="count surface_count path_count path_folded yardsticks backends price price_whole"
+counting="count color_count surface_count path_count path_folded yardsticks backends price price_whole"
 counting_elsewhere="upsample_count"
 priced="fold16 counts_f32 counts_fixed upsample"
 
@@ -196,6 +196,12 @@ for profile in release small; do
         for target in $boards; do
             no_panic $target $profile $image no-panic
         done
+    done
+done
+# What the compiler sees at one level it may not see at another.
+for profile in opt-1 opt-2 opt-z; do
+    for image in no_panic no_panic_constants; do
+        no_panic $m4f $profile $image no-panic
     done
 done
 

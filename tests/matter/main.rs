@@ -11,4 +11,6 @@ mod polarization;
 mod slab;
 mod surfaces_swept;
 mod volumes;
+mod worst_layers;
 mod worst_matter;
+mod worst_scattering;

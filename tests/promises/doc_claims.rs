@@ -15,6 +15,7 @@ use crate::claims::numbers::{Rounding, like, numbers, value};
 use crate::claims::renew::renew;
 use crate::claims::sections::{ROOT, Section, Texts, sections};
 use nanospectra::matter::{CES, Donaldson, Mirror, Slab, TCS};
+use nanospectra::sensor::LightFlickermeter;
 use nanospectra::sensor::fixed::FixedObserver;
 use nanospectra::upsample::{Basis, Sigmoid, Smits};
 use nanospectra::{FineObserver, Nodes};
@@ -302,6 +303,7 @@ fn tables_and_samples_are_as_large_as_documented() {
     assert_eq!(size_of::<Smits<31, Grid>>(), 28 * 31);
     assert_eq!((size_of::<Sigmoid<81, Grid>>() - size_of::<Sigmoid<31, Grid>>()) / 50, 16);
     assert_eq!(size_of::<FineObserver<3>>(), 5652);
+    assert_eq!(size_of::<LightFlickermeter>(), 1208);
     // And what they are shifted and counted by.
     assert_eq!(size_of::<FixedObserver<3, 80, Grid>>(), 2 * 3 * 80 + 12);
 }

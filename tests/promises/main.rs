@@ -4,6 +4,8 @@
 mod claims;
 mod damaged_tables;
 mod doc_claims;
+#[cfg(feature = "libm")]
+mod errors;
 mod face;
 mod image;
 mod matter;

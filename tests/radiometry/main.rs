@@ -8,3 +8,4 @@ mod hard_cases;
 mod quantities;
 mod radiometry_bits;
 mod worst_directions;
+mod worst_sources;

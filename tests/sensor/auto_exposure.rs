@@ -84,6 +84,20 @@ fn an_exposure_is_left_only_half_way_between_the_target_and_full_scale() {
     }
 }
 
+/// A count of 7 may be of a light of nearly 8, which must fit where it is sent, as must a bright one.
+#[test]
+fn a_count_may_be_one_more_than_it_says() {
+    let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");
+    for place in 0..as7341::LADDER.len() {
+        for count in (0..300_u16).chain((300..50_000).step_by(97)) {
+            let next = auto.advise(place, &[count]).next;
+            let light = (f32::from(count) + 1.0) * auto.exposure(place).per_count();
+            let share = light / auto.exposure(next).per_count() / auto.exposure(next).full_scale() as f32;
+            assert!(next <= place || share < 0.8 * 1.000_001, "{count} at {place}: {share} of {next}");
+        }
+    }
+}
+
 #[test]
 fn advice_never_leaves_the_ladder() {
     let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");

@@ -5,6 +5,7 @@ mod auto_exposure;
 mod calibration;
 mod chips;
 mod fixed;
+mod light_flickermeter;
 mod linearity;
 mod measures;
 mod readings;
@@ -14,6 +15,7 @@ mod spectrometer;
 mod stroboscopic;
 mod tables;
 mod worst_priors;
+mod worst_readings;
 
 use nanospectra::sensor::Calibration;
 

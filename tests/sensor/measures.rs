@@ -79,13 +79,19 @@ fn uncertainty_of_color_temperature_follows_the_model_over_the_whole_range() {
                 let size = xyz[0] + 15.0 * xyz[1] + 3.0 * xyz[2];
                 nearest([4.0 * xyz[0] / size, 6.0 * xyz[1] / size])
             };
-            for cause in 0..3 {
+            // How far the point moves by each of X, Y and Z.
+            let moves = [0, 1, 2].map(|cause| {
                 let mut moved = [xyz; 2];
                 moved[0][cause] += 1e-3;
                 moved[1][cause] -= 1e-3;
                 let [after, before] = moved.map(point);
                 let by_mired = (1e6 / after.cct_k - 1e6 / before.cct_k).abs() / 2e-3;
-                let by_duv = (after.duv - before.duv).abs() / 2e-3;
+                [by_mired, (after.duv - before.duv).abs() / 2e-3]
+            });
+            // In units of what all three do together: one of them may do nothing.
+            let [all_mired, all_duv] =
+                [0, 1].map(|k| moves.iter().map(|by| by[k] * by[k]).sum::<f64>().sqrt());
+            for (cause, [by_mired, by_duv]) in moves.into_iter().enumerate() {
                 let variance = |of: usize| if of == cause { 1.0 } else { 0.0 };
                 let covariance = XyzCovariance {
                     xx: variance(0),
@@ -96,21 +102,6 @@ fn uncertainty_of_color_temperature_follows_the_model_over_the_whole_range() {
                 let found = covariance.cct(Xyz::from(xyz.map(|value| value as f32)));
                 let place = format!("{mired} mired, Duv {duv}, by {cause}");
                 let found = found.unwrap_or_else(|| panic!("no uncertainty at {place}"));
-                // In units of what all three do together: one of them may do nothing.
-                let all = |of: fn(&model::cct::Cct) -> f64| {
-                    (0..3)
-                        .map(|k| {
-                            let mut moved = [xyz; 2];
-                            moved[0][k] += 1e-3;
-                            moved[1][k] -= 1e-3;
-                            let [after, before] = moved.map(point);
-                            (of(&after) - of(&before)).powi(2)
-                        })
-                        .sum::<f64>()
-                        .sqrt()
-                        / 2e-3
-                };
-                let (all_mired, all_duv) = (all(|cct| 1e6 / cct.cct_k), all(|cct| cct.duv));
                 mireds.value(&place, f64::from(found.mired) / all_mired, by_mired / all_mired);
                 duvs.value(&place, f64::from(found.duv) / all_duv, by_duv / all_duv);
                 let in_k = f64::from(found.mired) * 1e6 / (mired * mired);

@@ -125,6 +125,33 @@ proptest! {
     }
 
     #[test]
+    fn light_flickermeters_of_any_bits(
+        rate in prop_oneof![bits(), 400.0f32..450.0], readings in prop::collection::vec(bits(), 1..40),
+        sizes in prop::collection::vec(-1e15f32..1e15, 1..40),
+    ) {
+        let Some(meter) = LightFlickermeter::new(rate) else {
+            prop_assert!(!(400.0..=50_000.0).contains(&rate), "{}", rate);
+            return Ok(());
+        };
+        // A period as long as the list, again and again for 31 s.
+        let of = |period: &[f32]| {
+            let mut meter = meter.clone();
+            let count = if rate < 500.0 { (31.0 * rate) as usize } else { period.len() };
+            period.iter().cycle().take(count).for_each(|reading| meter.push(*reading));
+            (count > 5000, meter.pst_lm())
+        };
+        for period in [&readings, &sizes] {
+            let (is_long, severity) = of(period);
+            let is_usable = period.iter().all(|reading| reading.abs() <= 1e15);
+            match severity {
+                Ok(severity) => prop_assert!(is_long && is_usable && severity >= 0.0 && severity.is_finite()),
+                Err(PstLmError::NotANumber) => prop_assert!(!is_usable),
+                Err(why) => prop_assert!(is_usable && is_long == (why == PstLmError::NoLight)),
+            }
+        }
+    }
+
+    #[test]
     fn spectra_of_any_bits(
         rows in prop::array::uniform2(prop::array::uniform8(bits())), counts in prop::array::uniform2(bits()),
         alpha in prop_oneof![bits(), 1e-4f32..1.0], correlation in prop_oneof![bits(), 0.0f32..1.0], others in four(),

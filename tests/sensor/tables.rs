@@ -72,6 +72,12 @@ fn the_one_for_compile_time_panics_with_the_same_words() {
     let _: Small = responsivities("400,1,2\n401,1\n");
 }
 
+#[test]
+#[should_panic(expected = "line 1203: a column is missing")]
+fn lines_of_four_digits_are_named() {
+    let _: Small = responsivities(&format!("{}400,1,2\n401,1\n", "# nothing\n".repeat(1201)));
+}
+
 /// What the table reader makes of one number.
 fn read(number: &str) -> Option<f32> {
     let csv = format!("400,{number}\n");
@@ -118,6 +124,10 @@ fn numbers_are_the_nearest_f32() {
     assert_eq!((read("1e99999999999"), read("3.5e38")), (None, None));
     assert_eq!(read("0.000000000000000000000000000000000000000000000000000000000001e60"), Some(1.0));
     assert_eq!(read("100000000000000000000000000000000000000000000000000000000e-56"), Some(1.0));
+    // More digits than are counted, on both sides of the point.
+    compare("12345678901234567890123.4567890123456789012345".to_string());
+    compare("1.2345678901234567890123456789e3".to_string());
+    compare("0.12345678901234567890123456789012345".to_string());
 }
 
 proptest! {

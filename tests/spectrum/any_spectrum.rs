@@ -53,6 +53,21 @@ fn wild<Q, const N: usize, G: Grid>() -> impl Strategy<Value = Spectrum<Q, N, G>
     })
 }
 
+/// Samples at any finite wavelengths, often the largest that there are.
+fn anywhere() -> impl Strategy<Value = Vec<(f32, f32)>> {
+    use prop::num::f32::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+    let edges = prop::sample::select(vec![f32::MIN, f32::MAX, -1e38, 1e38, -1e-45, 1e-45, 380.0, 730.0]);
+    let nm = prop_oneof![POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO, edges, 300.0f32..900.0];
+    prop::collection::vec((nm, -2.0f32..2.0), 2..12).prop_map(|mut samples| {
+        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        samples.dedup_by(|a, b| a.0 == b.0);
+        if samples.len() < 2 {
+            samples = vec![(f32::MIN, 1.0), (f32::MAX, -1.0)];
+        }
+        samples
+    })
+}
+
 /// |a - b| within `share` of what is summed up to them.
 fn near(a: f32, b: f32, size: f32, share: f32) -> Result<(), TestCaseError> {
     prop_assert!((a - b).abs() <= share * size, "{a} and {b} differ by {:e} of {size}", (a - b).abs() / size);
@@ -303,6 +318,36 @@ proptest! {
             let _ = (uv.map(|uv| uv.cct()), xyz.with_y(100.0), xyz.lab(Xyz::new(95.0, 100.0, 109.0)));
             if let Some(xy) = xy {
                 let _ = (dominant_wavelength(xy, xy, &CIE_1931), xy.xyz(power), xy.uv1976());
+            }
+        }
+    }
+
+    #[test]
+    fn lines_between_samples_anywhere_are_those_of_f64(samples in anywhere()) {
+        let peak = samples.iter().map(|s| s.1.abs()).fold(0.0, f32::max);
+        let lines = Lines::new(as_f64(&samples), ModelOutside::Zero);
+        let points = Fine::<Power>::interpolated(&samples, Interpolation::Linear).expect("increasing samples");
+        for (nm, value) in points.iter() {
+            near(value, lines.at(nm.into()) as f32, peak, 5e-7)?;
+        }
+        let averages = Light::<31>::from_samples(&samples).expect("increasing samples");
+        for (k, value) in averages.values().iter().enumerate() {
+            let [low, high] = [k, k + 1].map(|k| f64::from(Light::<31>::edge_nm(k)));
+            near(*value, lines.mean(low, high) as f32, peak, 8.2e-6)?;
+        }
+    }
+
+    #[test]
+    fn a_ramp_stays_one_at_any_regular_spacing(first in -3.4e38f32..700.0, step in 0.0f32..1.0, size in -4i32..39) {
+        let step = f64::from(step) * 10_f64.powi(size) + 1.0;
+        let nm = |k: usize| (f64::from(first) + k as f64 * step) as f32;
+        let ramp: Vec<(f32, f32)> = (0..7).map(|k| (nm(k), k as f32)).collect();
+        if let Ok(points) = Fine::<Power>::interpolated(&ramp, Interpolation::Sprague) {
+            let line = Lines::new(as_f64(&ramp), ModelOutside::Zero);
+            for (nm, value) in points.iter() {
+                let exact = line.at(nm.into());
+                // A sample may be off by 1 % of a step.
+                prop_assert!((f64::from(value) - exact).abs() < 0.03, "{nm} nm: {value} for {exact}");
             }
         }
     }

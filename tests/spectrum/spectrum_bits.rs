@@ -82,8 +82,7 @@ proptest! {
             samples.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         if tame {
-            // Differences between wavelengths beyond 1e37 nm overflow.
-            samples.retain(|(nm, value)| !(nm.abs() > 1e37 || value.abs() > 1e30));
+            samples.retain(|(_, value)| value.is_nan() || value.abs() <= 1e30);
         }
         for outside in [Outside::Zero, Outside::Hold] {
             let averages = Light::<31>::from_samples_outside(&samples, outside);

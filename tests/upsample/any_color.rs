@@ -66,6 +66,12 @@ fn wild() -> impl Strategy<Value = f32> {
     ]
 }
 
+/// Of four colors about three are in the gamut, so that there are some beside each that is not.
+fn neighbor() -> impl Strategy<Value = [f32; 3]> {
+    let any = (any_number(), wild(), any_number()).prop_map(|(r, g, b)| [r, g, b]);
+    prop_oneof![3 => color(), 1 => any]
+}
+
 /// At least one component is NaN or infinite.
 fn not_finite() -> impl Strategy<Value = [f32; 3]> {
     let bad = select(&[f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY][..]);
@@ -257,47 +263,6 @@ proptest! {
     }
 
     #[test]
-    fn finite_colors_have_possible_reflectances([r, g, b] in [wild(), wild(), wild()]) {
-        assert_sound(&VIEWING, &SIGMOID, [r, g, b], 2e-3)?;
-        assert_sound(&WIDE_VIEWING, &WIDE, [r, g, b], 2e-3)?;
-    }
-
-    #[test]
-    fn a_miss_of_a_finite_color_is_a_number(color in [wild(), wild(), wild()]) {
-        // From 1e16 on f32 does not hold the squares of Lab.
-        let color = color.map(|c| c.clamp(-5e15, 5e15));
-        if let Status::Unreachable(miss) = SIGMOID.reflectance(rgb(color)).status {
-            prop_assert!(miss.delta_e() >= 0.0 && miss.delta_e76() >= 0.0, "{:?}", miss);
-        }
-    }
-
-    #[test]
-    fn what_is_called_exact_without_a_bound_is_finite_and_has_the_color(color in [wild(), wild(), wild()]) {
-        let solved = SIGMOID.unbounded(rgb(color));
-        let spectrum = solved.spectrum.on_grid::<31, Grid>();
-        let light = SIGMOID.illuminant(rgb(color));
-        prop_assert_eq!(format!("{:?}", light.status), format!("{:?}", solved.status));
-        let largest = color.into_iter().fold(0.0, f32::max);
-        // Twice the largest component is the scale, and white is above 1.
-        if largest < 1e-3 * f32::MAX {
-            prop_assert_ne!(solved.status, Status::NotFinite);
-            prop_assert!(spectrum.values().iter().all(|s| s.is_finite() && *s >= 0.0), "{:?}", solved);
-            let light = light.spectrum.on_grid(&WHITE);
-            prop_assert!(light.values().iter().all(|s| s.is_finite() && *s >= 0.0), "{:?}", solved);
-        }
-        if solved.status == Status::Exact {
-            prop_assert!(spectrum.values().iter().all(|s| s.is_finite() && *s >= 0.0), "{:?}", solved);
-            if largest > 1e-30 {
-                // One after the other: their quotient may overflow.
-                let half = |c: f32| 0.5 * (c / largest);
-                let scaled = Reflectance::<31, Grid>::from_bins(spectrum.values().map(half));
-                let off = VIEWING.delta_e(rgb(color.map(half)), &scaled);
-                prop_assert!(off <= 2e-3, "{} off, {:?}", off, solved);
-            }
-        }
-    }
-
-    #[test]
     fn what_is_not_finite_says_so_and_is_nan(color in not_finite()) {
         let is_nan = |values: &[f32]| values.iter().all(|s| s.is_nan());
         for solved in [SIGMOID.reflectance(rgb(color)), SIGMOID.desaturated(rgb(color))] {
@@ -317,27 +282,6 @@ proptest! {
         if color.iter().any(|c| c.is_nan()) {
             prop_assert!(is_nan(BASIS.reflectance(rgb(color)).values()));
             prop_assert!(is_nan(SMITS.reflectance(rgb::<Srgb>(color)).values()));
-        }
-    }
-
-    #[test]
-    fn neighbors_in_a_batch_change_nothing(
-        colors in prop::collection::vec((any_number(), wild(), any_number()), 0..20),
-        other in 0..5usize,
-    ) {
-        let colors: Vec<Rgb<Srgb>> = colors.into_iter().map(|(r, g, b)| Rgb::new(r, g, b)).collect();
-        let untouched = Solved { spectrum: SigmoidReflectance::gray(0.25), status: Status::Exact };
-        let mut spectra = vec![untouched; (colors.len() + other).saturating_sub(2)];
-        SIGMOID.reflectance_each(&colors, &mut spectra);
-        for (color, solved) in colors.iter().zip(&spectra) {
-            prop_assert_eq!(bits(solved), bits(&SIGMOID.reflectance(*color)));
-        }
-        prop_assert!(spectra.iter().skip(colors.len()).all(|solved| *solved == untouched));
-        for eight in colors.chunks_exact(8) {
-            let eight: [Rgb<Srgb>; 8] = eight.try_into().expect("eight");
-            for (color, solved) in eight.iter().zip(SIGMOID.reflectance_8(&eight)) {
-                prop_assert_eq!(bits(&solved), bits(&SIGMOID.reflectance(*color)));
-            }
         }
     }
 
@@ -403,4 +347,105 @@ proptest! {
             prop_assert!((low * (1.0 - 1e-5)..=high * (1.0 + 1e-5)).contains(r), "{} of {} {}", r, low, high);
         }
     }
+}
+
+/// How many colors are drawn that may be out of reach, whose search takes a hundred times as long.
+const FAR: u32 = if cfg!(debug_assertions) { 200 } else { 2000 };
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: FAR,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn finite_colors_have_possible_reflectances([r, g, b] in [wild(), wild(), wild()]) {
+        assert_sound(&VIEWING, &SIGMOID, [r, g, b], 2e-3)?;
+        assert_sound(&WIDE_VIEWING, &WIDE, [r, g, b], 2e-3)?;
+    }
+
+    #[test]
+    fn a_miss_of_a_finite_color_is_a_number(color in [wild(), wild(), wild()]) {
+        // From 1e16 on f32 does not hold the squares of Lab.
+        let color = color.map(|c| c.clamp(-5e15, 5e15));
+        if let Status::Unreachable(miss) = SIGMOID.reflectance(rgb(color)).status {
+            prop_assert!(miss.delta_e() >= 0.0 && miss.delta_e76() >= 0.0, "{:?}", miss);
+        }
+    }
+
+    #[test]
+    fn what_is_called_exact_without_a_bound_is_finite_and_has_the_color(color in [wild(), wild(), wild()]) {
+        let solved = SIGMOID.unbounded(rgb(color));
+        let spectrum = solved.spectrum.on_grid::<31, Grid>();
+        let light = SIGMOID.illuminant(rgb(color));
+        prop_assert_eq!(format!("{:?}", light.status), format!("{:?}", solved.status));
+        let largest = color.into_iter().fold(0.0, f32::max);
+        // Twice the largest component is the scale, and white is above 1.
+        if largest < 1e-3 * f32::MAX {
+            prop_assert_ne!(solved.status, Status::NotFinite);
+            prop_assert!(spectrum.values().iter().all(|s| s.is_finite() && *s >= 0.0), "{:?}", solved);
+            let light = light.spectrum.on_grid(&WHITE);
+            prop_assert!(light.values().iter().all(|s| s.is_finite() && *s >= 0.0), "{:?}", solved);
+        }
+        if solved.status == Status::Exact {
+            prop_assert!(spectrum.values().iter().all(|s| s.is_finite() && *s >= 0.0), "{:?}", solved);
+            if largest > 1e-30 {
+                // One after the other: their quotient may overflow.
+                let half = |c: f32| 0.5 * (c / largest);
+                let scaled = Reflectance::<31, Grid>::from_bins(spectrum.values().map(half));
+                let off = VIEWING.delta_e(rgb(color.map(half)), &scaled);
+                prop_assert!(off <= 2e-3, "{} off, {:?}", off, solved);
+            }
+        }
+    }
+
+    #[test]
+    fn neighbors_in_a_batch_change_nothing(
+        colors in prop::collection::vec(neighbor(), 0..20),
+        other in 0..5usize,
+    ) {
+        let colors: Vec<Rgb<Srgb>> = colors.into_iter().map(rgb).collect();
+        let untouched = Solved { spectrum: SigmoidReflectance::gray(0.25), status: Status::Exact };
+        let mut spectra = vec![untouched; (colors.len() + other).saturating_sub(2)];
+        SIGMOID.reflectance_each(&colors, &mut spectra);
+        for (color, solved) in colors.iter().zip(&spectra) {
+            prop_assert_eq!(bits(solved), bits(&SIGMOID.reflectance(*color)));
+        }
+        prop_assert!(spectra.iter().skip(colors.len()).all(|solved| *solved == untouched));
+        for eight in colors.chunks_exact(8) {
+            let eight: [Rgb<Srgb>; 8] = eight.try_into().expect("eight");
+            for (color, solved) in eight.iter().zip(SIGMOID.reflectance_8(&eight)) {
+                prop_assert_eq!(bits(&solved), bits(&SIGMOID.reflectance(*color)));
+            }
+        }
+    }
+}
+
+/// The solver alone gives the bits of the whole, wherever it gives something.
+#[test]
+fn the_solver_alone_gives_the_same_spectrum() {
+    let (mut some, mut all) = (0, 0);
+    crate::cube(9, |color| {
+        let whole = SIGMOID.reflectance(rgb(color));
+        all += 1;
+        if let Some(alone) = SIGMOID.solve(rgb(color)) {
+            some += 1;
+            assert_eq!((whole.spectrum, whole.status), (alone, Status::Exact), "{color:?}");
+        }
+    });
+    assert!(some * 100 > 99 * all, "{some} of {all}");
+}
+
+/// Four times the light misses by four times as much.
+#[test]
+fn the_miss_of_a_light_has_the_scale_of_the_light() {
+    let mut missed = 0;
+    crate::cube(9, |color| {
+        let [one, four] = [1.0, 4.0].map(|scale| WIDE.unbounded(rgb::<Bt2020>(color.map(|v| scale * v))));
+        if let (Status::Unreachable(one), Status::Unreachable(four)) = (one.status, four.status) {
+            missed += 1;
+            assert_eq!([four.asked, four.given], [one.asked.scaled(4.0), one.given.scaled(4.0)], "{color:?}");
+        }
+    });
+    assert!(missed > 30, "{missed}");
 }

@@ -5,9 +5,13 @@ mod any_color;
 mod digits;
 mod displays;
 mod fit;
+mod from_rgb;
+#[cfg(feature = "libm")]
+mod hard;
 mod reach;
 mod single_colors;
 mod tables;
+mod worst_reflectances;
 
 #[cfg(feature = "libm")]
 use nanospectra::{Fine, Power, light::D65};

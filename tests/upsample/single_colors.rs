@@ -113,15 +113,18 @@ fn smits_is_off_under_d65_and_says_so() {
     assert!((highest - 1.015).abs() < 2e-4 && (ripple - 8e-4).abs() < 1e-6, "{highest} {ripple}");
 }
 
-/// The share of a 17^3 cube that is solved; those are held to 0.002 CIEDE2000, and the others must be off by
-/// more.
+/// The colors along an edge of the cubes of wide gamuts. The dev profile takes every other one.
+const EDGE: usize = if cfg!(debug_assertions) { 9 } else { 17 };
+
+/// The share of a cube that is solved; those are held to 0.002 CIEDE2000, and the others must be off by more.
 fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
     viewing: &Viewing<N, G, S>,
     decode: fn(f32) -> f32,
 ) -> f64 {
     let sigmoid: Sigmoid<N, G, S> = Sigmoid::new(viewing);
     let (mut solved, mut all, mut worst, mut nearest) = (0, 0, 0.0f32, f32::INFINITY);
-    cube(17, |code| {
+    let (mut unreachable, stride) = (0, if cfg!(debug_assertions) { 10 } else { 1 });
+    cube(EDGE, |code| {
         let [r, g, b] = code.map(decode);
         let rgb = Rgb::<S>::new(r, g, b);
         let found = sigmoid.reflectance(rgb);
@@ -142,6 +145,10 @@ fn solved_share<const N: usize, G: Grid, S: RgbSpace + Default>(
                     miss.delta_e()
                 );
                 assert!(miss.delta_e76() > 0.0);
+                unreachable += 1;
+                if unreachable % stride != 0 {
+                    return;
+                }
                 // Desaturated it is solved, keeps its luminance, and some of its color.
                 let less = sigmoid.desaturated(rgb);
                 let Status::Desaturated { kept, miss } = less.status else { panic!("{rgb:?}: {less:?}") };
@@ -178,17 +185,20 @@ fn most_of_the_wide_gamuts_is_solved_and_the_rest_says_so() {
     fn percent<const N: usize, G: Grid, S: RgbSpace + Default>(viewing: &Viewing<N, G, S>) -> f64 {
         (1000.0 * solved_share(viewing, SrgbTransfer::decode)).round() / 10.0
     }
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, Srgb>()), 100.0);
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, DisplayP3>()), 96.5);
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, Bt2020>()), 79.6);
+    fn expect(found: f64, every_other: f64, all: f64) {
+        assert_eq!(found, if EDGE == 9 { every_other } else { all });
+    }
+    expect(percent(&viewing::<81, Nodes<380, 780>, Srgb>()), 100.0, 100.0);
+    expect(percent(&viewing::<81, Nodes<380, 780>, DisplayP3>()), 92.9, 96.5);
+    expect(percent(&viewing::<81, Nodes<380, 780>, Bt2020>()), 72.4, 79.6);
     let d60 = daylight(6000.0).expect("in range").fine();
     let aces: Viewing<81, Nodes<380, 780>, AcesCg> = Viewing::new(&CIE_1931.under(&d60).fold(Curve::Step));
-    assert_eq!(percent(&aces), 69.6);
-    assert_eq!(percent(&viewing::<31, Points, DisplayP3>()), 96.2);
+    expect(percent(&aces), 58.4, 69.6);
+    expect(percent(&viewing::<31, Points, DisplayP3>()), 92.5, 96.2);
     let bt2020 = viewing::<31, Points, Bt2020>();
-    assert_eq!(percent(&bt2020), 79.0);
-    assert_eq!((1000.0 * solved_share(&bt2020, Bt1886::decode)).round(), 772.0);
-    assert_eq!(percent(&viewing::<81, Nodes<380, 780>, AdobeRgb>()), 95.8);
+    expect(percent(&bt2020), 71.9, 79.0);
+    expect((1000.0 * solved_share(&bt2020, Bt1886::decode)).round(), 700.0, 772.0);
+    expect(percent(&viewing::<81, Nodes<380, 780>, AdobeRgb>()), 92.6, 95.8);
 }
 
 #[test]
@@ -351,7 +361,10 @@ fn what_is_no_color_of_a_surface_is_answered_and_says_so() {
 
 #[test]
 fn no_finite_number_is_too_large_or_too_small_to_be_answered() {
-    let sizes = [0.0, 1e-45, 1e-38, 1e-20, 1e-7, 0.3, 1.0, 1e7, 1e20, 1e38, f32::MAX];
+    let mut sizes = vec![0.0, 1e-45, 1e-20, 0.3, f32::MAX];
+    if !cfg!(debug_assertions) {
+        sizes.extend([1e-38, 1e-7, 1.0, 1e7, 1e20, 1e38]);
+    }
     let numbers: Vec<f32> = sizes.into_iter().flat_map(|size| [size, -size]).collect();
     for r in &numbers {
         for g in &numbers {
@@ -361,7 +374,9 @@ fn no_finite_number_is_too_large_or_too_small_to_be_answered() {
                 let on_grid: Reflectance<31, Points> = solved.spectrum.on_grid();
                 assert!(on_grid.values().iter().all(|s| (0.0..=1.0).contains(s)), "{rgb:?}: {solved:?}");
                 assert!(solved.status != Status::NotFinite);
-                assert_eq!(SIGMOID.reflectance_8(&[rgb; 8])[7], solved, "{rgb:?}");
+                let mut eight = [Rgb::new(0.1, 0.5, 0.4); 8];
+                eight[7] = rgb;
+                assert_eq!(SIGMOID.reflectance_8(&eight)[7], solved, "{rgb:?}");
                 let less = SIGMOID.desaturated(rgb).spectrum.on_grid::<31, Points>();
                 assert!(less.values().iter().all(|s| (0.0..=1.0).contains(s)), "{rgb:?}");
                 let light = SIGMOID.unbounded(rgb);

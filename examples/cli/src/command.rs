@@ -1,7 +1,7 @@
 //! Parses the command line and runs the command that it names.
 
 use crate::failure::{Failure, exit_code, short};
-use crate::{measure, paint, scene, sensor, usage};
+use crate::{flicker, measure, paint, scene, sensor, usage};
 use clap::error::{ContextKind, Error, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::process::ExitCode;
@@ -26,6 +26,7 @@ struct Cli {
 enum Command {
     Measure(measure::Args),
     Sensor(sensor::Args),
+    Flicker(flicker::Args),
     Paint(paint::Args),
     Scene(scene::Args),
 }
@@ -41,6 +42,7 @@ fn run() -> Result<(), Failure> {
         None => measure::run(&measure::Args::default()),
         Some(Command::Measure(args)) => measure::run(&args),
         Some(Command::Sensor(args)) => sensor::run(&args),
+        Some(Command::Flicker(args)) => flicker::run(&args),
         Some(Command::Paint(args)) => paint::run(&args.in_order_of(&matches)),
         Some(Command::Scene(args)) => scene::run(&args),
     }

@@ -17,6 +17,7 @@ mod clock;
 mod counts;
 mod docs;
 mod effects;
+mod gamuts;
 mod json;
 mod made;
 mod math;

@@ -1,8 +1,9 @@
-//! Compares methods that make a spectrum from RGB: how well the color is reproduced, and how the spectrum
-//! looks under other lamps.
+//! Compares methods that make a spectrum from RGB: how well the color is reproduced, how the spectrum looks
+//! under other lamps, and how much of wide gamuts has one.
 
 use crate::cells::{bytes as of_bytes, priced, with_price};
 use crate::clock::nanoseconds;
+use crate::gamuts;
 use crate::report::{Cell, Column, Table};
 use model::csv::table;
 use model::delta_e::de2000;
@@ -47,7 +48,7 @@ pub fn tables(runs: usize) -> Vec<Table> {
     columns.extend(LAMPS.map(|(id, heading)| Column::figure(id, heading)));
     let study = Study::new();
     let samples = study.samples.len();
-    vec![Table {
+    let methods = Table {
         id: "upsample",
         title: "From sRGB to reflectances".into(),
         about: format!(
@@ -59,7 +60,8 @@ pub fn tables(runs: usize) -> Vec<Table> {
         ),
         columns: with_price(columns),
         rows: study.rows(runs),
-    }]
+    };
+    vec![methods, gamuts::table()]
 }
 
 fn viewing<const N: usize, G: Grid>() -> Viewing<N, G> {

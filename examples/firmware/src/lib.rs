@@ -13,6 +13,7 @@
 //! | `bits` | Does this target compute the same bits as the host? |
 //! | `hard` | What are the results of the hard cases, with and without subnormal numbers? |
 //! | `count` | How many instructions do public calls take? |
+//! | `color_count` | How many instructions do appearance models and encodings take? |
 //! | `yardsticks` | How many instructions do published methods of others take? |
 //! | `backends` | How many instructions do the functions of each math backend take? |
 //! | `price` | How many instructions and how much stack does each step of a reading take? |

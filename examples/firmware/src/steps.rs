@@ -10,7 +10,7 @@ use nanospectra::color::{Cct, Lab, Xyz};
 use nanospectra::math::Fast;
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::fixed::{FixedCct, FixedObserver, FixedXyz};
-use nanospectra::sensor::{BasicCounts, ReadingError};
+use nanospectra::sensor::{BasicCounts, LightFlickermeter, ReadingError};
 use nanospectra::{Curve, Nodes, Observer, Power};
 
 /// A program that measures steps, for example in instructions.
@@ -39,6 +39,8 @@ pub fn all(meter: &mut impl Meter) {
     meter.step("xyz-lab-fast", xyz_lab_fast, &colors);
     meter.step("counts-xyz", counts_xyz, &counts);
     meter.step("counts-xyz-meter", counts_xyz_meter, &counts);
+    let pulses = core::array::from_fn(|k| if k % 20 < 10 { 0.6 } else { 0.8 });
+    meter.step("flickermeter-100-readings", flickermeter_100_readings, &[pulses]);
 
     meter.step("fixed-counts-xyz-lux", fixed_counts_xyz_lux, &counts);
     meter.step("fixed-counts-cct-duv", fixed_counts_cct_duv, &counts);
@@ -62,6 +64,14 @@ fn counts_basic(counts: &[u16; 8], out: &mut Outcome<BasicCounts<8>>) {
 #[inline(never)]
 fn basic_xyz(basic: &BasicCounts<8>, out: &mut Outcome<Xyz>) {
     out.0 = TO_XYZ.xyz(basic);
+}
+
+/// The start of a meter, and 5 ms of a waveform, of which every 10th reading is weighted.
+#[inline(never)]
+fn flickermeter_100_readings(readings: &[f32; 100], severity: &mut f32) {
+    let Some(mut meter) = LightFlickermeter::new(20_000.0) else { return };
+    readings.iter().for_each(|reading| meter.push(*reading));
+    *severity = meter.pst_lm().unwrap_or_default();
 }
 
 #[inline(never)]

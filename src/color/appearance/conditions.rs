@@ -102,6 +102,9 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     ///
     /// The result is `None` if the adapting luminance, the background or a response to the white is not above
     /// zero. NaN stays NaN. Luminances beyond 1e30 overflow. See the [example](ViewingConditions#example).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1620 instructions for CAM16 and 1700 for CIECAM02.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn new(white: Xyz, adapting_cd_m2: f32, background_y: f32, surround: Surround) -> Option<Self> {
@@ -208,6 +211,9 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     /// [no appearance](ViewingConditions#colors-without-an-appearance). Black has J = 0, and so has h = 0
     /// each gray. NaN stays NaN. Components beyond 1e36 overflow. See the
     /// [example](ViewingConditions#example).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1540 instructions by CAM16 and 1580 by CIECAM02.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn appearance(&self, color: Xyz) -> Option<Appearance> {
@@ -215,6 +221,9 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     }
 
     /// Computes [`appearance`](Self::appearance) by the elementary functions of the math backend `M`.
+    ///
+    /// # Cost
+    /// By CAM16 and [`Fast`](crate::math::Fast) it takes 666 instructions on a Cortex-M4F.
     #[must_use]
     pub fn appearance_with<M: Math>(&self, color: Xyz) -> Option<Appearance> {
         let sight = self.looks_at::<M>(color);
@@ -243,6 +252,9 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     ///
     /// The result is `None` as in [`appearance`](Self::appearance). See the
     /// [example](crate::color::CamUcs#example).
+    ///
+    /// # Cost
+    /// On a Cortex-M4F it takes 1470 instructions by CAM16 and 1500 by CIECAM02.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn ucs(&self, color: Xyz) -> Option<CamUcs> {
@@ -253,6 +265,9 @@ impl<A: AppearanceModel> ViewingConditions<A> {
     ///
     /// # Accuracy
     /// By [`Fast`](crate::math::Fast) within 2e-4 of [`ucs`](Self::ucs), for the colors of sRGB.
+    ///
+    /// # Cost
+    /// By CAM16 and [`Fast`](crate::math::Fast) it takes 604 instructions on a Cortex-M4F.
     #[must_use]
     pub fn ucs_with<M: Math>(&self, color: Xyz) -> Option<CamUcs> {
         let sight = self.looks_at::<M>(color);

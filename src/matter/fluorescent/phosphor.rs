@@ -64,8 +64,9 @@ impl<const N: usize, G> Phosphor<N, G> {
     /// A light whose glow would exceed f32 counts as half of `f32::MAX`. See the [example](#example).
     ///
     /// # Accuracy
-    /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step. A million steps of 2^-26
-    /// lifetimes are off by 3e-8 from one as long as all (`tests/matter/fluorescence.rs`).
+    /// 6e-8 (2 + the number of lifetimes) of the glow that is left, in one step in the dark, and under a
+    /// light 6e-8 (5 + the number of lifetimes) (searched in `tests/matter/worst_scattering.rs`). A million
+    /// steps of 2^-26 lifetimes are off by 3e-8 from one as long as all (`tests/matter/fluorescence.rs`).
     #[cfg(feature = "libm")]
     pub fn step<S: Stimulus<Power, N, G>>(&mut self, light: S, duration_s: f32) {
         self.step_with::<Portable, S>(light, duration_s);

@@ -27,7 +27,8 @@ use core::f32::consts::FRAC_1_PI;
 /// ```
 ///
 /// # Accuracy
-/// 1e-7 absolute and 1e-7 relative, compared with the formulas in f64. A white surface (albedo 1) reflects 1,
+/// 1.5e-7 over the larger of the cosines of both directions, if that is at least 1e-6, compared with the
+/// formulas in f64 (searched in `tests/matter/worst_scattering.rs`). A white surface (albedo 1) reflects 1,
 /// as closely as a quadrature rule can integrate it.
 ///
 /// # Reference

@@ -76,7 +76,8 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
     /// This is the integral of the profile. It is 0 where nothing scatters. See the [example](#example).
     ///
     /// # Accuracy
-    /// 1e-7 absolute, compared with the closed form in f64.
+    /// 5e-7 absolute from an `eta` of 1.2 on, and 2.5e-5 below, compared with the closed form in f64. Nearly
+    /// all of it is the error of the reflectance from inside, [`internal_reflectance`].
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn reflectance(&self) -> Reflectance<N, G> {
@@ -96,7 +97,9 @@ impl<const N: usize, G: Bands> Dipole<N, G> {
     /// `r` is 0 or more; otherwise the result is NaN. See the [example](#example).
     ///
     /// # Accuracy
-    /// (2 sigma_tr r + 20) units of 2^-24, relative.
+    /// (5 sigma_tr r + 20) units of 2^-24, relative, for the [`internal_reflectance`] as it is, and where the
+    /// profile is above 1e-37 of the square of sigma_t', the sum of both coefficients. Farther out it fades
+    /// to 0.
     #[cfg(feature = "libm")]
     #[must_use]
     pub fn profile(&self, r: f32) -> Spectrum<Factor, N, G> {

@@ -54,7 +54,7 @@ pub const fn king_factor(nm: f32, co2_ppm: f32) -> f32 {
 /// `nm` 200..=2000 is the wavelength in vacuum, and `co2_ppm` 0..=1000 the share of carbon dioxide by volume.
 ///
 /// # Accuracy
-/// 1e-6, relative, compared with the formula in f64.
+/// 1.5e-6, relative, compared with the formula in f64.
 ///
 /// # Reference
 /// Bodhaine, Wood, Dutton and Slusser 1999, "On Rayleigh optical depth calculations", eqs. 2, 4, 23.

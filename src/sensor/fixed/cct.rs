@@ -3,7 +3,7 @@
 //! A point between the normals of two knots of the locus has distances d0 and d1 to them along their
 //! tangents. The ratio d0 : -d1 is nearly that in which the point divides the locus between the knots. What
 //! is missing is a parabola that depends on the distance from the locus. So one division and a dozen products
-//! replace the Newton step of the floats, at 0.1 mired.
+//! replace the Newton step of the floats, at 0.11 mired.
 
 include!(concat!(env!("OUT_DIR"), "/fixed_locus.rs"));
 

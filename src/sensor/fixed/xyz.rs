@@ -83,8 +83,8 @@ impl FixedXyz {
     /// `None` for black.
     ///
     /// # Accuracy
-    /// 0.1 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05 (`tests/sensor/fixed.rs`), with sums
-    /// above 2^20.
+    /// 0.11 mired and 2.5e-5 in Duv over 1000 K..1e6 K and |Duv| <= 0.05, with sums above 2^20 (searched in
+    /// `tests/sensor/worst_readings.rs`).
     ///
     /// # Cost
     /// From counts on 1700 instructions on a Cortex-M0, where [`Uv1960::cct`](crate::color::Uv1960::cct)

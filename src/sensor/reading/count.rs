@@ -190,9 +190,12 @@ impl core::fmt::Display for ReadingError {
             ReadingError::TooDark => {
                 f.write_str("the channels are not above their dark levels: use more gain or time")
             }
-            ReadingError::Negative { xyz } => {
+            ReadingError::Negative { xyz } if xyz.to_array().iter().all(|sum| sum.is_finite()) => {
                 write!(f, "the calibration gives a negative color: X {}, Y {}, Z {}", xyz.x, xyz.y, xyz.z)
             }
+            ReadingError::Negative { .. } => f.write_str(
+                "the calibration gives a negative color, and sums beyond 3.4e38: check its numbers",
+            ),
         }
     }
 }

@@ -130,8 +130,9 @@ where
 /// ```
 ///
 /// # Accuracy
-/// 4e-5 of the amplitude for up to 1000 readings with a period of 100 or fewer, each period a whole number of
-/// them (swept in `tests/sensor/measures.rs`). At exactly two readings in a period it depends on the phase.
+/// 7e-5 of the amplitude for up to 1000 readings with a period of 100 or fewer, each period a whole number of
+/// them, and a mean of up to ten amplitudes (searched in `tests/sensor/worst_readings.rs`). At exactly two
+/// readings in a period it depends on the phase.
 ///
 /// # Cost
 /// One multiplication for each reading.
@@ -159,7 +160,7 @@ impl Exposure {
     /// It is the magnitude of sinc, sin(x) / x with x = pi times frequency times integration time.
     ///
     /// # Accuracy
-    /// 2e-7.
+    /// 3e-7.
     ///
     /// ```
     /// # use nanospectra::sensor::Exposure;

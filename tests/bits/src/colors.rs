@@ -25,7 +25,7 @@ impl<const N: usize> Eyes<N> {
 }
 
 /// A smooth light, a stepped one, one with lines, a mixed one; at 1 nm.
-static LAMPS: [Fine<Power>; 4] = [
+pub static LAMPS: [Fine<Power>; 4] = [
     A.fine(),
     D65.interpolate(Interpolation::Sprague),
     FL11.fine(),
@@ -190,7 +190,7 @@ fn dominant(hash: &mut Hash) {
 pub const WHITE: Xy = Xy { x: 0.3127, y: 0.3290 };
 
 /// A lattice of colors that reaches below black and above white, and crosses the knee of the cube root.
-fn lattice() -> impl Iterator<Item = Xyz> {
+pub fn lattice() -> impl Iterator<Item = Xyz> {
     let step = |n: u32| 0.3 * (n * n * n) as f32 - 0.2;
     (0..512).map(move |n| Xyz { x: step(n / 64), y: step(n / 8 % 8), z: step(n % 8) })
 }

@@ -6,6 +6,7 @@
 
 #![no_std]
 
+mod appearance;
 mod colors;
 mod hash;
 mod paths;
@@ -21,6 +22,7 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     sensor::run(report);
     paths::run(report);
     surfaces::run(report);
+    appearance::run(report);
 }
 
 /// The groups whose code (37 KB on a Cortex-M0) or tables (159 KB) do not fit a small part beside the others.

@@ -8,10 +8,10 @@ use nanospectra::math::{Fast, Math, Portable};
 use nanospectra::observer::{CIE_1931, Curve, Observer};
 use nanospectra::sensor::fixed::{FixedCct, FixedMeter, FixedObserver, FixedXyz};
 use nanospectra::sensor::{
-    AutoExposure, BasicCounts, Calibration, Count, Drift, Exposure, Fit, Flicker, Meter, Noise, ReadingError,
-    Reconstruction, amplitude_at,
+    AutoExposure, BasicCounts, Calibration, Count, Drift, Exposure, Fit, Flicker, LightFlickermeter, Meter,
+    Noise, ReadingError, Reconstruction, amplitude_at,
     chip::{as7341, tcs3472},
-    nonnegative_spectrum,
+    nonnegative_spectrum, stroboscopic_visibility_with,
 };
 use nanospectra::{Light, Nodes, Power, const_unwrap};
 
@@ -21,6 +21,7 @@ pub fn run(report: &mut impl FnMut(&str, u32)) {
     report("reconstructions", Hash::of(reconstructions));
     report("fits", Hash::of(fits));
     report("noise-flicker", Hash::of(noise_flicker));
+    report("visible-flicker", Hash::of(visible_flicker));
 }
 
 /// Random counts of three chips, from nearly dark to saturated, through random calibrations to colors.
@@ -174,5 +175,28 @@ fn noise_flicker(hash: &mut Hash) {
         hash.maybe(Flicker::of(&wave, 1000.0, hz).map(|flicker| [flicker.percent, flicker.index]));
         hash.maybe(amplitude_at(&wave, 1000.0, hz).map(|amplitude| [amplitude, 0.0]));
         hash.one(ladder[k % 4].residual_modulation(hz));
+    }
+}
+
+/// What people see of a lamp in time: a light that jumps below its ripple, at rates on both sides of the one
+/// from which not every reading is weighted.
+fn visible_flicker(hash: &mut Hash) {
+    let mut random = Random(0x5eed_5e1f);
+    for (rate_hz, hz) in [(400.0, 8.8), (4000.0, 0.9)] {
+        let Some(mut meter) = LightFlickermeter::new(rate_hz) else { continue };
+        for k in 0..(31.0 * rate_hz) as u32 {
+            let seconds = k as f32 / rate_hz;
+            let up = if ((hz * seconds) as u32).is_multiple_of(2) { 1.0 } else { 1.02 };
+            meter.push(up * (2.0 + Portable::sin_turns(100.0 * seconds) + 0.01 * random.unit()));
+        }
+        hash.one(meter.pst_lm().unwrap_or_default());
+    }
+    for k in 1..16 {
+        let wave: [f32; 64] =
+            from_fn(|n| 2.0 + random.unit() + Portable::sin_turns(0.031_25 * (n * k) as f32));
+        let svm = stroboscopic_visibility_with::<Portable, _>(&wave, 6400.0, 100.0 * k as f32);
+        hash.one(svm.unwrap_or_default());
+        let fast = stroboscopic_visibility_with::<Fast, _>(&wave, 6400.0, 100.0 * k as f32);
+        hash.one(fast.unwrap_or_default());
     }
 }

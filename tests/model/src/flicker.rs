@@ -9,6 +9,9 @@ pub fn threshold(hz: f64) -> f64 {
 pub fn svm(readings: &[f64], rate_hz: f64) -> f64 {
     let count = readings.len() as f64;
     let mean = readings.iter().sum::<f64>() / count;
+    // The sine and the cosine of each part of a turn.
+    let parts: Vec<(f64, f64)> =
+        (0..readings.len()).map(|k| (std::f64::consts::TAU * k as f64 / count).sin_cos()).collect();
     let mut sum = 0.0;
     for bin in 1..readings.len().div_ceil(2) {
         let hz = rate_hz * bin as f64 / count;
@@ -17,7 +20,7 @@ pub fn svm(readings: &[f64], rate_hz: f64) -> f64 {
         }
         let (mut re, mut im) = (0.0, 0.0);
         for (k, value) in readings.iter().enumerate() {
-            let (sin, cos) = (std::f64::consts::TAU * (bin * k) as f64 / count).sin_cos();
+            let (sin, cos) = parts[bin * k % readings.len()];
             re += value * cos;
             im += value * sin;
         }

@@ -28,9 +28,11 @@ pub mod adaptation;
 pub mod dominant;
 pub mod linear;
 pub mod rgb;
+pub mod solid;
 pub mod transfer;
 
 pub mod flicker;
+pub mod light_flickermeter;
 pub mod sensor;
 
 pub mod fresnel;

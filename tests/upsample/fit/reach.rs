@@ -4,14 +4,14 @@
 use model::delta_e::de2000;
 use model::lab::lab;
 use model::linear::solve;
+use model::solid::Solid;
 
 type Color = [f64; 3];
 
 /// The observer of a fold: X, Y and Z of each bin, each of which is 1 in sum, and x of its center.
 pub struct Fold {
     bins: Vec<(Color, f64)>,
-    /// The directions of all faces of the solid, and how far it reaches in each.
-    faces: Vec<(Color, f64)>,
+    solid: Solid,
 }
 
 pub fn delta_e(one: Color, two: Color) -> f64 {
@@ -23,29 +23,14 @@ fn dot(a: Color, b: Color) -> f64 {
 }
 
 impl Fold {
-    /// The solid is the sum of a segment for each bin, from 0 to its color. Each of its faces is spanned by
-    /// two of them, so its membership needs no linear programme.
     pub fn new(bins: Vec<(Color, f64)>) -> Self {
-        let mut faces = Vec::new();
-        for (k, (a, _)) in bins.iter().enumerate() {
-            for (b, _) in &bins[..k] {
-                let across =
-                    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-                let length = dot(across, across).sqrt();
-                if length > 1e-12 {
-                    for side in [1.0 / length, -1.0 / length] {
-                        let normal = across.map(|n| side * n);
-                        faces.push((normal, bins.iter().map(|(w, _)| dot(normal, *w).max(0.0)).sum()));
-                    }
-                }
-            }
-        }
-        Fold { bins, faces }
+        let solid = Solid::new(&bins.iter().map(|(color, _)| *color).collect::<Vec<_>>());
+        Fold { bins, solid }
     }
 
     /// Whether a spectrum within 0..=1 has the color.
     pub fn contains(&self, color: Color) -> bool {
-        self.faces.iter().all(|(normal, reach)| dot(*normal, color) <= reach + 1e-9)
+        self.solid.contains(color)
     }
 
     pub fn sees(&self, values: impl Iterator<Item = f64>) -> Color {

@@ -3,7 +3,7 @@
 //! The tool is cargo-mutants. A change that no test sees has either an explanation in data/mutants.txt, such
 //! as that it has no effect, or it asks for a test.
 
-use crate::check::harnesses;
+use crate::check::STATIONS as HARNESSES;
 use crate::shell::{Outcome, Shell, root};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -51,13 +51,13 @@ pub fn run(choice: &Choice) -> Outcome {
     for station in STATIONS {
         let here = format!("src/{station}/");
         let ours: Vec<&String> = chosen.iter().filter(|change| change.starts_with(&here)).collect();
-        let tried = try_all(&shell, station, &ours, &format!("--test {station}"))?;
+        let tried = try_all(&shell, station, &ours, &[station], "")?;
         all.seen += tried.seen;
         all.unseen.extend(tried.unseen);
     }
-    // What the tests of a folder do not see may be seen by those that use the folder.
-    let everywhere = harnesses(&crate::check::STATIONS);
-    let again = try_all(&shell, "everywhere", &all.unseen.iter().collect::<Vec<_>>(), &everywhere)?;
+    // What the tests of a folder do not see may be seen by those that use the folder, or with all features.
+    let again =
+        try_all(&shell, "everywhere", &all.unseen.iter().collect::<Vec<_>>(), &HARNESSES, " --all-features")?;
     all.seen += all.unseen.len() - again.unseen.len();
     report(&Tried { unseen: again.unseen, ..all })
 }
@@ -102,7 +102,13 @@ fn shuffled(name: &str, seed: u64) -> u64 {
 ///
 /// The tool adds changes of its own in the same files: it also takes fields away whose values would then be
 /// defaults, whether they were asked for or not.
-fn try_all(shell: &Shell, name: &str, changes: &[&String], tests: &str) -> Outcome<Tried> {
+fn try_all(
+    shell: &Shell,
+    name: &str,
+    changes: &[&String],
+    harnesses: &[&str],
+    features: &str,
+) -> Outcome<Tried> {
     if changes.is_empty() {
         return Ok(Tried::default());
     }
@@ -112,11 +118,13 @@ fn try_all(shell: &Shell, name: &str, changes: &[&String], tests: &str) -> Outco
     let files: BTreeSet<&str> = changes.iter().filter_map(|change| change.split(':').next()).collect();
     let files: String = files.iter().map(|file| format!(" -f {file}")).collect();
     let exact: String = changes.iter().map(|change| format!(" -F ^{}$", literal(change))).collect();
+    // Given to cargo each time, or all harnesses would be built for each change.
+    let tests: String = harnesses.iter().map(|harness| format!(" --cargo-arg=--test={harness}")).collect();
     let line = format!(
         "cargo mutants -p nanospectra --profile mutants --test-tool nextest --no-shuffle --colors never \
-         --timeout 200 -o {folder}{files}{exact} -- {tests} --max-fail 1:immediate"
+         --timeout 60 -o {folder}{files}{exact}{tests}{features} -- --max-fail 1:immediate"
     );
-    println!("== {} changes, {tests}", changes.len());
+    println!("== {} changes, {name}", changes.len());
     // Its exit code says whether something was missed, which the lists below say better.
     let status = shell.command(line.split_whitespace()).stderr(Stdio::inherit()).status();
     status.map_err(|error| format!("cargo mutants does not start: {error}"))?;

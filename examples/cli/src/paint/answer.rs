@@ -5,13 +5,14 @@ use crate::input::illuminants;
 use crate::paint::args::{Args, Beyond, Method, Space};
 use crate::paint::input::Color;
 use nanospectra::color::{
-    AcesCg, Adaptation, AdobeRgb, Bt2020, Cat16, DisplayP3, EncodedRgb, Lab, Rgb, RgbSpace, Srgb, Xyz,
+    Aces2065, AcesCg, Adaptation, AdobeRgb, Bt2020, Cat16, DciP3, DisplayP3, EncodedRgb, Lab, ProPhoto, Rgb,
+    RgbSpace, Srgb, Xyz,
 };
-use nanospectra::light::{D65, daylight};
+use nanospectra::light::{D50, D65, daylight};
 use nanospectra::observer::CIE_1931;
 use nanospectra::upsample::{Basis, Sigmoid, Smits, Status, Viewing};
 use nanospectra::{
-    Curve, Factor, Fine, Grid, Interpolation, Nodes, Observer, Outside, Power, Reflectance, matter,
+    Curve, Factor, Fine, Grid, Interpolation, Light, Nodes, Observer, Outside, Power, Reflectance, matter,
 };
 
 /// What is the same for all colors of a run.
@@ -71,11 +72,8 @@ impl Answer {
 
 impl<'a> Job<'a> {
     pub fn new(args: &'a Args) -> Result<Self, Failure> {
-        let aces = daylight(6000.0).filter(|_| args.space == Space::Acescg);
-        let white = match aces {
-            Some(d60) => Lamp { name: "D60".into(), power: d60.fine() },
-            None => Lamp { name: "D65".into(), power: D65.fine() },
-        };
+        let (name, power) = white(args.space);
+        let white = Lamp { name: name.into(), power };
         let mut lamps: Vec<Lamp> = Vec::new();
         for name in &args.light {
             let lamp = lamp(name.trim())?;
@@ -84,6 +82,19 @@ impl<'a> Job<'a> {
             }
         }
         Ok(Job { args, white, lamps })
+    }
+}
+
+/// Returns the white of a space, with the name that it has in reports.
+fn white(space: Space) -> (&'static str, Fine<Power>) {
+    match space {
+        Space::Srgb | Space::P3 | Space::Bt2020 | Space::Adobe => ("D65", D65.fine()),
+        Space::Prophoto => ("D50", D50.fine()),
+        Space::Acescg | Space::Aces2065 => {
+            ("D60", daylight(6000.0).map_or_else(|| D65.fine(), |d60| d60.fine()))
+        }
+        // No phase of daylight is as green, but a sum of the CIE's components of daylight is.
+        Space::DciP3 => ("DCI", Light::from_rgb(Rgb::<DciP3>::new(1.0, 1.0, 1.0))),
     }
 }
 
@@ -103,9 +114,12 @@ pub fn in_space<const N: usize, G: Grid + 'static>(job: &Job) -> Paint {
     match job.args.space {
         Space::Srgb => painter::<N, G, Srgb>(job),
         Space::P3 => painter::<N, G, DisplayP3>(job),
+        Space::DciP3 => painter::<N, G, DciP3>(job),
         Space::Bt2020 => painter::<N, G, Bt2020>(job),
         Space::Adobe => painter::<N, G, AdobeRgb>(job),
+        Space::Prophoto => painter::<N, G, ProPhoto>(job),
         Space::Acescg => painter::<N, G, AcesCg>(job),
+        Space::Aces2065 => painter::<N, G, Aces2065>(job),
     }
 }
 

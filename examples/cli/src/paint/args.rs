@@ -13,8 +13,9 @@ Input:
   #c31. Numbers are encoded by the transfer function of the RGB space, from 0 to 1, unless --linear
   says that they are linear; a code is always encoded. Numbers below 0 or above 1 are answered, and
   the status says how. NaN and infinities are refused.
-  srgb and p3 are encoded by the curve of IEC 61966-2-1, bt2020 by a power of 2.4 (BT.1886) and adobe
-  by a power of 563/256; the numbers of acescg are linear.
+  srgb and p3 (Display P3) are encoded by the curve of IEC 61966-2-1, dci-p3 by a power of 2.6, bt2020
+  by a power of 2.4 (BT.1886), adobe by a power of 563/256 and prophoto by a power of 1.8 with a
+  straight line; the numbers of acescg and aces2065 are linear.
   '-' reads colors from standard input, which is UTF-8 text with one color on each line. A '#' before
   a blank starts a comment. A color that begins with a minus sign must be given with --rgb, as in
   --rgb -0.1,0.5,0.4.
@@ -26,8 +27,9 @@ Input:
   in sRGB under D65.
 
 Conventions:
-  The observer is CIE 1931 (2 degrees). The white of a space is D65; that of acescg is daylight of
-  6000 K. Under that white the spectrum has the color that was asked for. The other lights show how
+  The observer is CIE 1931 (2 degrees). The white of a space is D65; that of prophoto is D50, that of
+  acescg and aces2065 daylight of 6000 K ('D60'), and that of dci-p3 a greenish light of its own
+  ('DCI'). Under that white the spectrum has the color that was asked for. The other lights show how
   a surface with this spectrum would look there.
   XYZ has Y = 100 for the perfect white. Lab is relative to the white of the light. Swatches are in
   sRGB, adapted (CAT16) from the light to D65 and clipped to the gamut.
@@ -110,10 +112,15 @@ pub enum Space {
     Srgb,
     #[value(alias = "display-p3")]
     P3,
+    DciP3,
     Bt2020,
     #[value(alias = "adobe-rgb")]
     Adobe,
+    #[value(alias = "prophoto-rgb")]
+    Prophoto,
     Acescg,
+    #[value(alias = "aces2065-1")]
+    Aces2065,
 }
 
 /// The values of `--method`.

@@ -76,7 +76,7 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
         fit.add_relative(&basic, Xyz::from(target));
         all.push((basic, target));
     }
-    let wrong = |error| Failure::of(table.file(), format_args!("no matrix can be fitted; {}", reason(error)));
+    let wrong = |error: FitError| Failure::of(table.file(), format_args!("no matrix can be fitted; {error}"));
     let matrix = fit.solve().map_err(wrong)?;
     let percent = |share: f32| 100.0 * share;
     let [x, y, z] = fit.residual_rms().map(|share| fixed(percent(share), 2));
@@ -99,16 +99,8 @@ fn patches<const C: usize>(table: &Table, places: [usize; C], xyz: [usize; 3]) -
             let [x, y, z] = sums.map(|sum: f32| fixed(percent((sum / all.len() as f32).sqrt()), 2));
             format!("; on patches that were left out of the fit: X {x} % Y {y} % Z {z} %")
         }
-        Err(error) => format!("; the error on patches that are left out is unknown: {}", reason(error)),
+        Err(error) => format!("; the error on patches that are left out is unknown: {error}"),
     };
     said += &format!("; condition number {}", fixed(fit.condition().map_err(wrong)?, 0));
     Ok(Found { matrix, said })
-}
-
-/// Returns why a fit failed, with the condition number unless it is infinite.
-pub fn reason(error: FitError) -> String {
-    match error {
-        FitError::IllConditioned { condition } if !condition.is_finite() => error.message().into(),
-        other => other.to_string(),
-    }
 }

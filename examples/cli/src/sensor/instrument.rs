@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::sensor::args::{Args, Unit};
-use crate::sensor::calibration::{self, reason};
+use crate::sensor::calibration;
 use crate::sensor::chip::{BINS, Chip, Grid};
 use crate::sensor::responsivity;
 use nanospectra::observer::{CIE_1931, KM};
@@ -115,9 +115,7 @@ impl<const C: usize> Instrument<C> {
         let spectrum = weights
             .map(|rows| Reconstruction::smooth(&Observer::from_weights(rows), CORRELATION, DEFAULT_ALPHA))
             .transpose()
-            .map_err(|error| {
-                Failure::of(place, format_args!("no spectrum can be reconstructed; {}", reason(error)))
-            })?;
+            .map_err(|error| Failure::of(place, format_args!("no spectrum can be reconstructed; {error}")))?;
         let of_spectrum = spectrum.map(|spectrum| spectrum.seen_by(&EYE).scaled(KM));
         let mut colors = Vec::new();
         match setup.source {

@@ -1,12 +1,13 @@
 //! Writes readings and runs as JSON, one object per line, with all digits of their numbers.
 
 use crate::failure::Failure;
+use crate::flicker::measures;
 use crate::output::json::{explain, line, single};
 use crate::output::{Spool, terminal};
 use crate::sensor::Report;
 use crate::sensor::instrument::Setup;
 use crate::sensor::measure::{Color, Reading, Status};
-use crate::sensor::runs::Run;
+use crate::sensor::runs::{At, Run};
 use nanospectra::color::Cct;
 use serde_json::{Value, json};
 
@@ -175,18 +176,24 @@ pub fn general(setup: &Setup, reading: &Reading) -> Vec<(&'static str, String)> 
 }
 
 fn run(run: &Run) -> Value {
-    let flicker = |at: &crate::sensor::runs::At| {
-        let found = at.found.as_ref().ok();
+    let flicker = |at: &At| {
+        let found = at.flicker.found.as_ref().ok();
         let object = json!({
-            "frequency_hz": single(at.frequency_hz),
+            "frequency_hz": single(at.flicker.frequency_hz),
             "mean": found.map(|(flicker, _)| single(flicker.mean)),
             "percent": found.map(|(flicker, _)| single(flicker.percent)),
             "index": found.map(|(flicker, _)| single(flicker.index)),
             "amplitude": found.map(|(_, amplitude)| single(*amplitude)),
+            "svm": at.flicker.svm.as_ref().ok().map(|svm| single(*svm)),
             "confused_with_hz": at.confused_with_hz.map(single),
             "shown_by_readings": single(at.shown),
         });
-        with_note(object, at.found.as_ref().err())
+        with_note(object, at.flicker.found.as_ref().err())
+    };
+    let notes = match run.rate_hz {
+        Ok(_) => measures::unknown(&run.pst_lm, run.flicker.iter().map(|at| &at.flicker)),
+        // A note of the object says why.
+        Err(_) => Vec::new(),
     };
     let object = json!({
         "kind": "run",
@@ -194,7 +201,9 @@ fn run(run: &Run) -> Value {
         "lines": [run.lines.0, run.lines.1],
         "readings": run.readings,
         "rate_hz": run.rate_hz.as_ref().ok().map(|rate| single(*rate)),
+        "pst_lm": run.pst_lm.as_ref().ok().map(|severity| single(*severity)),
         "flicker": run.flicker.iter().map(flicker).collect::<Value>(),
+        "notes": notes,
     });
     with_note(object, run.rate_hz.as_ref().err())
 }

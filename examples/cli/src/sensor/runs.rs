@@ -1,8 +1,8 @@
 //! Groups readings in a row into runs, and computes how much the light flickers in each.
 
-use crate::output::number::shortest;
+use crate::flicker::measures;
 use crate::sensor::measure::Reading;
-use nanospectra::sensor::{Exposure, Flicker, amplitude_at};
+use nanospectra::sensor::Exposure;
 
 /// The share by which steps of time may differ.
 const STEADY: f64 = 0.02;
@@ -16,14 +16,14 @@ pub struct Run {
     pub readings: usize,
     /// The readings per second, or why that is unknown.
     pub rate_hz: Result<f32, String>,
+    /// The short-term severity of the flicker, or why it is unknown.
+    pub pst_lm: Result<f32, String>,
     pub flicker: Vec<At>,
 }
 
 /// The flicker at one frequency.
 pub struct At {
-    pub frequency_hz: f32,
-    /// The flicker and its amplitude at this frequency over the mean, or why they are unknown.
-    pub found: Result<(Flicker, f32), String>,
+    pub flicker: measures::At,
     /// Another frequency, if the run is too short to distinguish it from this one.
     pub confused_with_hz: Option<f32>,
     /// The share of the flicker that readings of this length still show.
@@ -85,7 +85,9 @@ impl<'a> Runs<'a> {
             _ => Vec::new(),
         };
         let rate_hz = rate_hz.and_then(|rate| present.values().map(|_| rate));
-        Some(Run { rate_hz, flicker, label: present.label, lines: present.lines, readings: present.readings })
+        let pst_lm = rate_hz.clone().and_then(|rate| measures::pst_lm(present.values()?, rate));
+        let Present { label, lines, readings, .. } = present;
+        Some(Run { label, lines, readings, rate_hz, pst_lm, flicker })
     }
 }
 
@@ -145,22 +147,8 @@ impl Present {
 fn at(values: &[f32], rate_hz: f32, frequency_hz: f32, others_hz: &[f32], exposure: Exposure) -> At {
     let seconds = values.len() as f32 / rate_hz;
     let near = |other: &&f32| **other != frequency_hz && (**other - frequency_hz).abs() * seconds < 1.0;
-    let found = if rate_hz < 2.0 * frequency_hz {
-        Err(format!("needs {} or more readings a second", shortest(2.0 * frequency_hz)))
-    } else {
-        match (Flicker::of(values, rate_hz, frequency_hz), amplitude_at(values, rate_hz, frequency_hz)) {
-            (Some(flicker), Some(amplitude)) => {
-                let amplitude = amplitude / flicker.mean;
-                let numbers = [flicker.mean, flicker.percent, flicker.index, amplitude];
-                let is_finite = numbers.iter().all(|number| number.is_finite());
-                is_finite.then_some((flicker, amplitude)).ok_or("the numbers are too large".into())
-            }
-            _ => Err("needs a whole period, and light".into()),
-        }
-    };
     At {
-        frequency_hz,
-        found,
+        flicker: measures::at(values, rate_hz, frequency_hz),
         confused_with_hz: others_hz.iter().find(near).copied(),
         shown: exposure.residual_modulation(frequency_hz),
     }

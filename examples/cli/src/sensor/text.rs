@@ -1,6 +1,7 @@
 //! Writes readings as a table for people.
 
 use crate::failure::{Failure, shown};
+use crate::flicker::known;
 use crate::output::number::{self, fixed, shortest, signed};
 use crate::output::plot::BLOCKS;
 use crate::output::{Spool, terminal};
@@ -178,15 +179,15 @@ fn flicker(run: &Run) -> String {
     let (from, to) = run.lines;
     let mut text = format!("\n{name}: {} readings, lines {from}..{to}", run.readings);
     match &run.rate_hz {
-        Ok(rate) => text += &format!(", {} per second\n", fixed(*rate, 1)),
+        Ok(rate) => text += &format!(", {} per second\n  Pst LM {}\n", fixed(*rate, 1), known(&run.pst_lm)),
         Err(why) => text += &format!("; the flicker is unknown: {why}\n"),
     }
     for at in &run.flicker {
-        text += &match &at.found {
+        text += &match &at.flicker.found {
             Ok((flicker, amplitude)) => format!(
                 "  {} Hz: mean {}, percent flicker {} %, flicker index {}, amplitude {} of the mean \
-                 (readings show {} % of it{})\n",
-                shortest(at.frequency_hz),
+                 (readings show {} % of it{}), SVM {}\n",
+                shortest(at.flicker.frequency_hz),
                 significant(flicker.mean),
                 fixed(flicker.percent, 1),
                 fixed(flicker.index, 3),
@@ -195,9 +196,10 @@ fn flicker(run: &Run) -> String {
                 at.confused_with_hz.map_or(String::new(), |hz| format!(
                     "; the run is too short to distinguish it from {} Hz",
                     shortest(hz)
-                ))
+                )),
+                known(&at.flicker.svm)
             ),
-            Err(why) => format!("  {} Hz: {why}\n", shortest(at.frequency_hz)),
+            Err(why) => format!("  {} Hz: {why}\n", shortest(at.flicker.frequency_hz)),
         };
     }
     text

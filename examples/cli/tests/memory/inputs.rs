@@ -65,3 +65,7 @@ pub fn columns_of_one_name(columns: usize) -> String {
 pub fn colors(lines: usize) -> String {
     (0..lines).map(|k| format!("0.{},0.{},0.{}\n", 1 + k % 8, 1 + k / 8 % 8, 1 + k / 64 % 8)).collect()
 }
+
+pub fn waveform(readings: usize) -> String {
+    (0..readings).map(|k| format!("{}\n", 2000 + k % 17)).collect()
+}

@@ -32,11 +32,11 @@ struct Case {
     allocations_each: f64,
 }
 
-/// What is kept: a reading of a run keeps its brightness, in a vector that doubles; a column that is not used
-/// keeps its name for the note; an exposure keeps its dark counts; a spectrum keeps its reading, which has a
-/// curve of 471 numbers; and a color keeps its numbers and its place. Of anything else, one is in memory at a
-/// time.
-const CASES: [Case; 11] = [
+/// What is kept: a reading of a run keeps its brightness, and one of a waveform itself, in a vector that
+/// doubles; a column that is not used keeps its name for the note; an exposure keeps its dark counts; a
+/// spectrum keeps its reading, which has a curve of 471 numbers; and a color keeps its numbers and its place.
+/// Of anything else, one is in memory at a time.
+const CASES: [Case; 12] = [
     Case {
         name: "sensor, a row of one run",
         arguments: &["sensor"],
@@ -92,6 +92,14 @@ const CASES: [Case; 11] = [
         sizes: [1000, 4000],
         bytes_each: 220.0,
         allocations_each: 25.0,
+    },
+    Case {
+        name: "flicker, a reading",
+        arguments: &["flicker", "--rate-hz", "1000"],
+        input: inputs::waveform,
+        sizes: [32_000, 128_000],
+        bytes_each: 8.0,
+        allocations_each: 0.0,
     },
     Case {
         name: "measure, a column",

@@ -17,7 +17,7 @@ const ANSWERED: [(Program, &[&str]); 7] = [
 
 fn helps() -> impl Iterator<Item = (Program, &'static [&'static str])> {
     let options: [&[&str]; 4] = [&["--help"], &["-h"], &["--version"], &["-V"]];
-    let commands = ["", "measure", "sensor", "paint", "scene"];
+    let commands = ["", "measure", "sensor", "flicker", "paint", "scene"];
     commands.into_iter().flat_map(move |name| options.map(|option| (Program(name, module_path!()), option)))
 }
 
@@ -48,7 +48,7 @@ fn what_nobody_reads_is_no_error() {
 
 #[test]
 fn a_refusal_that_cannot_be_said_is_a_refusal_still() {
-    for command in ["", "measure", "sensor", "paint", "scene"] {
+    for command in ["", "measure", "sensor", "flicker", "paint", "scene"] {
         for arguments in [&["--no-such-option"][..], &["no such word\u{1b}"]] {
             let command = Program(command, module_path!());
             for streams in ["2> /dev/full", "2>&-", ">&- 2>&-", "> /dev/full 2> /dev/full", "<&-"] {

@@ -5,6 +5,7 @@ mod bands;
 mod ends;
 mod extremes;
 mod files;
+mod flicker;
 mod fuzz;
 mod measure;
 mod measure_refuses;

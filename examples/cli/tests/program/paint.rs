@@ -1,5 +1,6 @@
 //! The command paint from outside: what it answers, in which order, and what it draws.
 
+use crate::fuzz::input::SPACES;
 use crate::run::{Program, assert_all_near, assert_near, files, keys, number, numbers};
 use model::fold::{EqualBins, Reconstruction, on_cie_nodes, weights};
 use model::interpolation::{Interpolation::Linear, Outside::Zero};
@@ -9,6 +10,7 @@ use nanospectra::upsample::{Sigmoid, SmitsBins, Viewing};
 use nanospectra::{Curve, Nodes, Reflectance, light::D65, observer::CIE_1931};
 use serde_json::Value;
 use std::fs;
+use std::path::Path;
 
 const PAINT: Program = Program("paint", module_path!());
 
@@ -54,9 +56,10 @@ fn assert_follows_the_model(answer: &Value) {
         Some("srgb") => ("sRGB", transfer::srgb_encode, transfer::srgb_decode),
         Some("p3") => ("Display P3", transfer::srgb_encode, transfer::srgb_decode),
         Some("adobe") => ("Adobe RGB (1998)", transfer::adobe_encode, transfer::adobe_decode),
+        Some("prophoto") => ("ProPhoto RGB", transfer::prophoto_encode, transfer::prophoto_decode),
         other => panic!("{other:?}"),
     };
-    let (xyz, white) = seen(answer, "D65");
+    let (xyz, white) = seen(answer, answer["lights"][0]["name"].as_str().expect("a name"));
     let sum: f64 = white.iter().sum();
     // The white of the matrix is that of the sums.
     let space = rgb::RgbSpace { white: [white[0] / sum, white[1] / sum], ..*rgb::named(space) };
@@ -76,7 +79,7 @@ const COLORS: &str = "0.8 0.2 0.1\n0.05 0.3 0.6\n0.5 0.5 0.5\n0.9 0.95 0.3\n0 0 
 #[test]
 fn every_method_space_and_grid_says_what_an_f64_model_finds() {
     for method in ["sigmoid", "basis", "smits"] {
-        for space in ["srgb", "p3", "adobe"] {
+        for space in ["srgb", "p3", "adobe", "prophoto"] {
             let options = ["--method", method, "--space", space, "--light", "A,FL11,LED-B3", "-"];
             for answer in PAINT.json_with(COLORS, &options) {
                 assert_follows_the_model(&answer);
@@ -236,13 +239,62 @@ fn a_space_is_decoded_by_the_function_that_help_names() {
     for (space, decoded) in [
         ("srgb", transfer::srgb_decode(0.5)),
         ("p3", transfer::srgb_decode(0.5)),
+        ("dci-p3", 0.5_f64.powf(2.6)),
         ("bt2020", 0.5_f64.powf(2.4)),
         ("adobe", 0.5_f64.powf(563.0 / 256.0)),
+        ("prophoto", 0.5_f64.powf(1.8)),
         ("acescg", 0.5),
+        ("aces2065", 0.5),
     ] {
         let answer = &PAINT.json(&["0.5,0.5,0.5", "--space", space])[0];
         assert_near(&answer["spectrum"][40], decoded, 1e-7);
         assert_all_near(&answer["roundtrip_rgb"], &[0.5; 3], 1e-6);
+    }
+}
+
+/// White under the first light of an answer, as x, y, beside what the standards say.
+#[test]
+fn the_white_of_a_space_is_that_of_its_standard() {
+    for (space, light, x, y) in [
+        ("srgb", "D65", 0.3127, 0.3290),
+        ("dci-p3", "DCI", 0.314, 0.351),
+        ("prophoto", "D50", 0.3457, 0.3585),
+        ("acescg", "D60", 0.32168, 0.33767),
+        ("aces2065", "D60", 0.32168, 0.33767),
+    ] {
+        let first = &PAINT.json(&["1,1,1", "--space", space])[0]["lights"][0];
+        assert_eq!(first["name"], light);
+        let xyz = numbers(&first["XYZ"]);
+        let sum: f64 = xyz.iter().sum();
+        assert!((xyz[0] / sum - x).abs() < 2e-4 && (xyz[1] / sum - y).abs() < 2e-4, "{space}: {xyz:?}");
+    }
+}
+
+/// The names of the types in the library that implement `RgbSpace`.
+fn spaces_of_the_library(folder: &Path) -> Vec<String> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder").flatten() {
+        if entry.path().is_dir() {
+            names.extend(spaces_of_the_library(&entry.path()));
+        } else {
+            let text = fs::read_to_string(entry.path()).expect("UTF-8");
+            let named = text.lines().filter_map(|line| line.strip_prefix("impl RgbSpace for "));
+            names.extend(named.filter_map(|rest| Some(rest.split_once(' ')?.0.to_owned())));
+        }
+    }
+    names
+}
+
+#[test]
+fn every_rgb_space_of_the_library_can_be_named() {
+    let library = spaces_of_the_library(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../src")));
+    let program = include_str!("../../src/paint/answer.rs");
+    for name in &library {
+        assert!(program.contains(&format!("=> painter::<N, G, {name}>(job)")), "paint does not offer {name}");
+    }
+    assert_eq!(library.len(), SPACES.len(), "{library:?}, {SPACES:?}");
+    for space in SPACES {
+        assert_eq!(PAINT.json(&["0.5,0.4,0.3", "--space", space])[0]["space"], space);
     }
 }
 

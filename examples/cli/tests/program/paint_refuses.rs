@@ -106,5 +106,5 @@ fn a_message_shows_how_a_long_cell_begins() {
 fn help_and_version_are_no_errors() {
     PAINT.assert_helps("--rgb --space --linear --method --beyond --light --grid --json --svg");
     // What the space's own transfer function is; `paint.rs` measures it.
-    assert!(PAINT.says(&["--help"]).contains("bt2020 by a power of 2.4 (BT.1886)"));
+    assert!(PAINT.says(&["--help"]).contains("adobe by a power of 563/256"));
 }

@@ -34,7 +34,7 @@ fn the_readme_shows_what_the_program_says() {
 #[test]
 fn help_names_every_command_with_a_sentence() {
     let help = NANOSPECTRA.says(&["--help"]);
-    for command in ["measure", "sensor", "paint", "scene"] {
+    for command in ["measure", "sensor", "flicker", "paint", "scene"] {
         let line = help.lines().find(|line| line.trim_start().starts_with(command)).expect("a line");
         assert!(line.split_whitespace().count() > 6, "{line}");
         let usage = NANOSPECTRA.run(&[command, "--help"]).out;
@@ -46,7 +46,11 @@ fn help_names_every_command_with_a_sentence() {
 #[test]
 fn a_word_that_is_no_command_is_refused_on_one_line() {
     for word in ["lamp.csv", "measur", "help"] {
-        NANOSPECTRA.refuses(&[word], &format!("nanospectra: '{word}' "), "measure, sensor, paint, scene");
+        NANOSPECTRA.refuses(
+            &[word],
+            &format!("nanospectra: '{word}' "),
+            "measure, sensor, flicker, paint, scene",
+        );
     }
     let long = "x".repeat(300);
     NANOSPECTRA.refuses(&[&long], &format!("nanospectra: '{}..' ", "x".repeat(40)), "not a command");

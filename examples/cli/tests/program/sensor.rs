@@ -123,6 +123,49 @@ fn flicker_is_found_at_its_frequency_and_averages_to_its_duty() {
     assert_eq!(slow[2]["flicker"][0]["note"], "needs 200 or more readings a second");
 }
 
+/// A photodiode as a sensor of one channel. Its light jumps by 0.6832 %, 17.6 times a second, and swings by 11 % with
+/// 100 Hz: Pst LM is 1 by IEC TR 61547-1, and SVM is 0.11 / 0.2563 by IEC TR 63158.
+#[test]
+fn a_run_has_the_severity_of_its_flicker() {
+    let matrix = SENSOR.file("photodiode.csv", "row,light\nX,1\nY,1\nZ,1\n");
+    let arguments = ["--sensor", "custom", "-", "--calibration", &matrix];
+    let log = |rate_hz: f64, readings: usize| {
+        let row = |k: usize| {
+            let time = k as f64 / rate_hz;
+            let up = if (8.8 * time).fract() < 0.5 { 1.0 } else { -1.0 };
+            let ripple = 1.0 - 0.11 * (std::f64::consts::TAU * 100.0 * time).cos();
+            format!("{time},1,1,1000000000,{}\n", (5e7 * ripple * (1.0 + up * 0.003_416)).round())
+        };
+        format!("time,gain,time_ms,full_scale,light\n{}", (0..readings).map(row).collect::<String>())
+    };
+    let long = log(500.0, 16_000);
+    let run = SENSOR.json_with(&long, &arguments).pop().expect("a run at the end");
+    assert_near("Pst LM", &run["pst_lm"], 1.0, 0.01);
+    assert!(run.get("note").is_none() && run["flicker"][0]["svm"].is_null(), "{run}");
+    let text = SENSOR.says_to(&long, &arguments);
+    assert!(text.contains("Pst LM 0.99") || text.contains("Pst LM 1.00"), "{}", &text[text.len() - 900..]);
+    let fast = log(5000.0, 1000);
+    let run = SENSOR.json_with(&fast, &arguments).pop().expect("a run at the end");
+    assert_near("SVM", &run["flicker"][0]["svm"], 0.11 / 0.2563, 0.005);
+    assert!(run["pst_lm"].is_null() && run["notes"][0] == "pst_lm: needs readings of 30 s or more", "{run}");
+    let text = SENSOR.says_to(&fast, &arguments);
+    assert!(text.contains("Pst LM unknown (needs readings of 30 s or more)") && text.contains("SVM 0.43"));
+}
+
+#[test]
+fn a_slow_log_says_which_rates_the_measures_need() {
+    let run = SENSOR.json(&[]).pop().expect("a run at the end");
+    let notes = run["notes"].to_string();
+    assert!(notes.contains("pst_lm: needs readings of 30 s or more"), "{notes}");
+    assert!(notes.contains("flicker.svm: needs 4000 or more readings a second"), "{notes}");
+    let text = SENSOR.says(&[]);
+    assert!(text.contains("SVM unknown (needs 4000 or more readings a second)"), "{text}");
+    let slow = "time,gain,atime,astep,f1,f2,f3,f4,f5,f6,f7,f8\n\
+                0,8,29,599,90,90,90,90,90,90,90,90\n1,8,29,599,90,90,90,90,90,90,90,90\n";
+    let run = SENSOR.json_with(slow, &["-"]).pop().expect("a run at the end");
+    assert!(run["notes"].to_string().contains("pst_lm: needs 400 to 50000 readings a second"), "{run}");
+}
+
 #[test]
 fn steps_of_time_are_equal_to_two_hundredths() {
     let run = |middle: &str| {

@@ -19,6 +19,7 @@ pub fn maker(name: &str) -> Option<(&'static str, Maker)> {
         "math" => Some(("math", math)),
         "cct" => Some(("cct", cct)),
         "upsample" => Some(("upsample", upsample)),
+        "gamuts" => Some(("gamuts", gamuts)),
         _ => None,
     }
 }
@@ -225,6 +226,22 @@ fn upsample(report: &Value) -> String {
             lamps.join(" / "),
             instructions.join(" | "),
         );
+    }
+    out
+}
+
+/// Shows how much of each space has a spectrum, by a sigmoid and by any.
+fn gamuts(report: &Value) -> String {
+    let mut out =
+        "| | a sigmoid, 31 bands | any spectrum, 31 bands | a sigmoid, 81 bands | any spectrum, 81 bands \
+        | any spectrum, every 3 nm |\n|---|--:|--:|--:|--:|--:|\n"
+            .to_owned();
+    for row in rows(report, "gamuts") {
+        let columns = ["sigmoid_31", "any_31", "sigmoid_81", "any_81", "any"].map(|column| {
+            number(row, &format!("{column}_percent"))
+                .map_or_else(String::new, |share| format!("{share:.2} %"))
+        });
+        out += &format!("| {} | {} |\n", text(row, "space"), columns.join(" | "));
     }
     out
 }

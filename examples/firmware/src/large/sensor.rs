@@ -6,7 +6,7 @@ use nanospectra::light::{A, D65, LED_B3};
 use nanospectra::observer::CIE_1931;
 use nanospectra::sensor::{
     BasicCounts, Calibration, FirstPixel, Fit, PixelWavelengths, Rebinned, Reconstruction, chip::as7341,
-    covariance_of, nonnegative_spectrum,
+    covariance_of, nonnegative_spectrum, stroboscopic_visibility,
 };
 use nanospectra::{Curve, Interpolation, Light, Nodes, Observer, Power, const_unwrap};
 
@@ -23,6 +23,18 @@ static LAMPS: [Light<31, TenNm>; 3] = [
 ];
 static PIXELS: PixelWavelengths<288> =
     const_unwrap!(PixelWavelengths::new([310.0, 2.7, 1e-4, 0.0, 0.0, 0.0], FirstPixel::One));
+
+/// A lamp of 100 Hz that is read 4000 times a second, for a tenth of a second.
+static WAVE: [f32; 400] = {
+    let (mut wave, mut k) = ([1.0; 400], 0);
+    while k < 400 {
+        if k % 40 >= 30 {
+            wave[k] = 0.2;
+        }
+        k += 1;
+    }
+    wave
+};
 
 /// Measures every call of this group.
 pub fn all(meter: &mut impl Meter) {
@@ -45,6 +57,7 @@ pub fn all(meter: &mut impl Meter) {
     meter.step("crosstalk-18", crosstalk::<18>, &[leak()]);
     meter.step("seen-by-8x31", seen_by, &[Reconstruction::smooth(&CHIP_31, 0.95, 0.01).ok()]);
     meter.step("rebinned-288-41", rebinned, &[[100.0; 288]]);
+    meter.step("stroboscopic-400", stroboscopic, from_ref(&WAVE));
 }
 
 #[inline(never)]
@@ -132,4 +145,9 @@ fn seen_by(made: &Option<Reconstruction<8, 31, TenNm>>, out: &mut Option<Calibra
 #[inline(never)]
 fn rebinned(pixels: &[f32; 288], out: &mut Option<Rebinned<41, FiveNm>>) {
     *out = Some(PIXELS.rebinned(pixels));
+}
+
+#[inline(never)]
+fn stroboscopic(readings: &[f32; 400], out: &mut Option<f32>) {
+    *out = stroboscopic_visibility(readings, 4000.0, 100.0);
 }

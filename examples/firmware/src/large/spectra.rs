@@ -2,7 +2,7 @@
 
 use crate::steps::Meter;
 use core::slice::from_ref;
-use nanospectra::color::{Rgb, Srgb, Xy, dominant_wavelength};
+use nanospectra::color::{Rgb, Srgb, Xy, dominant_wavelength, ssi};
 use nanospectra::light::{D65, Daylight, FL11, daylight, named};
 use nanospectra::observer::CIE_1931;
 use nanospectra::radiometry::{AlphaOpic, luminous_efficacy};
@@ -12,6 +12,7 @@ use nanospectra::{Bins, Curve, Fine, Interpolation, Light, Observer, Power, Refl
 type Grid = Bins<380, 730>;
 
 static FL11_FINE: Fine<Power> = FL11.fine();
+static DAYLIGHT: Fine<Power> = D65.fine();
 static IN_DAYLIGHT: Observer<3, 31> = CIE_1931.under(&D65.fine()).fold(Curve::Step);
 static VIEWING: Viewing<31> = Viewing::new(&IN_DAYLIGHT);
 static SIGMOID: Sigmoid<31, Grid, Srgb, CubicStart> = Sigmoid::new(&VIEWING);
@@ -29,6 +30,7 @@ pub fn all(meter: &mut impl Meter) {
     meter.step("fold-3x16", fold_16, &[()]);
     meter.step("melanopic-der", der, from_ref(&FL11_FINE));
     meter.step("luminous-efficacy", efficacy, from_ref(&FL11_FINE));
+    meter.step("ssi", similarity, from_ref(&FL11_FINE));
     meter.step("dominant-wavelength", dominant, &[Xy::new(0.5, 0.4)]);
 
     // Inside sRGB, and outside.
@@ -86,6 +88,11 @@ fn der(light: &Fine<Power>, out: &mut Option<AlphaOpic>) {
 #[inline(never)]
 fn efficacy(light: &Fine<Power>, out: &mut Option<f32>) {
     *out = luminous_efficacy(light);
+}
+
+#[inline(never)]
+fn similarity(light: &Fine<Power>, out: &mut Option<f32>) {
+    *out = ssi(light, &DAYLIGHT);
 }
 
 #[inline(never)]

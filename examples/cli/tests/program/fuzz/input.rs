@@ -3,6 +3,9 @@
 use crate::fuzz::dice::{Dice, Mood};
 use nanospectra::sensor::chip::{self, SettingValues};
 
+/// All values of `--space`.
+pub const SPACES: [&str; 8] = ["srgb", "p3", "dci-p3", "bt2020", "adobe", "prophoto", "acescg", "aces2065"];
+
 /// A run of the program: its arguments, what it reads from stdin, and the files in its folder.
 #[derive(Default)]
 pub struct Run {
@@ -14,14 +17,18 @@ pub struct Run {
 /// Names of lights, some of which there are not.
 const LIGHTS: [&str; 9] = ["D65", "A", "FL11", "LED-B3", "FL3.1", "E", "HP1", "d50", "none"];
 
-pub fn run_of(dice: &mut Dice) -> Run {
+/// Writes a run of one command.
+pub type Author = fn(&mut Dice, &mut Run);
+
+/// The commands of the program.
+pub const COMMANDS: [(&str, Author); 5] =
+    [("measure", measure), ("sensor", sensor), ("flicker", flicker), ("paint", paint), ("scene", scene)];
+
+/// Returns the run of a command that this seed makes.
+pub fn run_of(seed: u64, (command, author): (&str, Author)) -> Run {
     let mut run = Run::default();
-    match dice.below(4) {
-        0 => measure(dice, &mut run),
-        1 => sensor(dice, &mut run),
-        2 => paint(dice, &mut run),
-        _ => scene(dice, &mut run),
-    }
+    run.give(&[command]);
+    author(&mut Dice::new(seed), &mut run);
     run
 }
 
@@ -89,7 +96,6 @@ fn table(dice: &mut Dice, columns: usize) -> String {
 }
 
 fn measure(dice: &mut Dice, run: &mut Run) {
-    run.give(&["measure"]);
     for k in 0..dice.below(3) {
         let columns = 1 + dice.below(3);
         run.file(&format!("a{k}.csv"), table(dice, columns));
@@ -125,7 +131,6 @@ fn measure(dice: &mut Dice, run: &mut Run) {
 }
 
 fn paint(dice: &mut Dice, run: &mut Run) {
-    run.give(&["paint"]);
     let mood = dice.mood();
     for _ in 0..1 + dice.below(3) {
         let color = match dice.below(6) {
@@ -150,7 +155,7 @@ fn paint(dice: &mut Dice, run: &mut Run) {
         run.give(&["-"]);
     }
     if dice.once_in(2) {
-        run.give(&["--space", dice.of(&["srgb", "p3", "bt2020", "adobe", "acescg"])]);
+        run.give(&["--space", dice.of(&SPACES)]);
     }
     if dice.once_in(2) {
         run.give(&["--linear"]);
@@ -199,7 +204,6 @@ fn toml(number: String) -> String {
 }
 
 fn scene(dice: &mut Dice, run: &mut Run) {
-    run.give(&["scene"]);
     if dice.once_in(12) {
         run.give(&[dice.of(&["paper", "vest", "wine", "soap", "window", "asphalt", "--list", "none"])]);
         run.report(dice);
@@ -270,6 +274,23 @@ fn part(dice: &mut Dice, mood: Mood) -> String {
     }
 }
 
+fn flicker(dice: &mut Dice, run: &mut Run) {
+    let mood = dice.mood();
+    run.give(&["waveform", "--rate-hz", &dice.number_in(mood, 100.0, 60_000.0)]);
+    if dice.once_in(2) {
+        run.give(&["--flicker-hz", &dice.number_in(mood, 0.1, 3000.0)]);
+    }
+    if dice.once_in(2) {
+        run.give(&["--json"]);
+    }
+    // A few readings again and again, sometimes for longer than 30 s.
+    let rows: String =
+        (0..1 + dice.below(30)).map(|_| format!("{}\n", dice.number_in(mood, 0.0, 4096.0))).collect();
+    let heading = dice.of(&["", "light\n"]);
+    let times = if dice.once_in(10) { 40_000 / rows.lines().count() } else { 1 + dice.below(20) };
+    run.file("waveform", format!("{heading}{}", rows.repeat(times)));
+}
+
 /// The columns and settings of a log: names, and the values that a setting may have.
 fn settings(chip: Option<&'static chip::Chip>, dice: &mut Dice, mood: Mood) -> Vec<String> {
     let Some(chip) = chip else {
@@ -284,7 +305,6 @@ fn settings(chip: Option<&'static chip::Chip>, dice: &mut Dice, mood: Mood) -> V
 }
 
 fn sensor(dice: &mut Dice, run: &mut Run) {
-    run.give(&["sensor"]);
     let mood = dice.mood();
     if dice.once_in(10) {
         run.report_sensor(dice, mood);
