@@ -13,7 +13,7 @@ fn main() {
                         c.values.len(),
                         c.values[0],
                         c.lines,
-                        c.column,
+                        c.place,
                         c.unit.map(|u| (u.sign(), u.factor, u.photons))
                     );
                 }

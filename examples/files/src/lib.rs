@@ -3,6 +3,7 @@
 
 mod curves;
 mod grid;
+mod layout;
 mod options;
 mod reading;
 mod refusal;
@@ -15,6 +16,8 @@ pub use reading::{Curve, Fact, Reading};
 pub use refusal::{Kind, Note, Refusal, Setting};
 pub use unit::{AxisUnit, Quantity, Unit};
 
+use grid::Grid;
+use std::collections::HashSet;
 use text::encoding::{self, Encoding};
 
 /// Reads the spectra of a file.
@@ -29,9 +32,11 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Reading, Refusal> {
         reading.notes.push(Note::assumed("the text is in Windows-1252, because it is not UTF-8", None));
     }
     let tables = table::read(&text)?;
-    for grid in &tables.grids {
-        curves::add(grid, options, &mut reading)?;
-    }
+    let grids: Vec<Grid> =
+        tables.grids.into_iter().flat_map(|grid| layout::arrange(grid, &mut reading.notes)).collect();
+    curves::add(&grids, options, &mut reading)?;
+    let mut seen = HashSet::new();
+    reading.notes.retain(|note| seen.insert(note.what.clone()));
     reading.facts = tables.facts;
     if reading.curves.is_empty() {
         return Err(Refusal::of("no column holds a spectrum").settled_by(Setting::Column));

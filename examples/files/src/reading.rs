@@ -26,14 +26,17 @@ pub struct Curve {
     pub values: Vec<f64>,
     /// What the file, or the user, says of the values. It is `None` if neither does.
     pub unit: Option<Unit>,
-    /// Whether the values are averages over bands around the wavelengths.
-    pub are_averages: bool,
+    /// The edges in nm of the bands over which the values are averages, one more than values, or `None` if the
+    /// values are points of a curve.
+    pub edges: Option<Vec<f64>>,
     /// The unit of the axis in the file.
     pub axis: AxisUnit,
     /// The lines of the file where it stands, counted from 1.
     pub lines: RangeInclusive<usize>,
-    /// Which column of how many it is, counted from 1, or which row of a transposed table.
-    pub column: (usize, usize),
+    /// Which column of the file it is, counted from 1, or which row if each row is a spectrum, and of how many.
+    pub place: (usize, usize),
+    /// Whether it is a row of the file.
+    pub is_row: bool,
 }
 
 /// Something that a file says beside its spectra.

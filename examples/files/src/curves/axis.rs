@@ -1,9 +1,10 @@
 //! Chooses the columns that are axes, and their units.
 
-use crate::grid::{Column, Grid, Said};
-use crate::options::{Choice, Options};
+use crate::grid::{Column, Grid};
+use super::choice;
+use crate::options::Options;
 use crate::refusal::{Note, Refusal, Setting};
-use crate::unit::{AxisUnit, names_axis};
+use crate::unit::{AxisUnit, Unit, names_axis};
 
 /// An axis and the columns that belong to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,55 +32,19 @@ pub fn find(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result<Vec
     Ok(axes)
 }
 
-/// Returns the place of a chosen column.
-pub fn chosen(grid: &Grid, choice: &Choice) -> Result<usize, Refusal> {
-    let count = grid.columns.len();
-    match choice {
-        Choice::Number(number) if (1..=count).contains(number) => Ok(number - 1),
-        Choice::Number(number) => {
-            Err(Refusal::of(format!("there is no column {number}; the table has {count}"))
-                .settled_by(Setting::Column))
-        }
-        Choice::Name(wanted) => {
-            let is_it =
-                |column: &Column| column.name.as_deref().is_some_and(|name| name.trim() == wanted.trim());
-            let mut found = (0..count).filter(|place| is_it(&grid.columns[*place]));
-            match (found.next(), found.next()) {
-                (Some(place), None) => Ok(place),
-                (Some(_), Some(_)) => {
-                    Err(Refusal::of(format!("several columns are named '{wanted}'; give a number"))
-                        .settled_by(Setting::Column))
-                }
-                _ => {
-                    let names: Vec<&str> =
-                        grid.columns.iter().filter_map(|column| column.name.as_deref()).collect();
-                    let known = if names.is_empty() {
-                        "none has a name".into()
-                    } else {
-                        format!("there are {}", names.join(", "))
-                    };
-                    Err(Refusal::of(format!("no column is named '{wanted}'; {known}"))
-                        .settled_by(Setting::Column))
-                }
-            }
-        }
-    }
-}
-
 fn axis_columns(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result<Vec<usize>, Refusal> {
     let columns = &grid.columns;
     if let Some(choice) = &options.axis_column {
-        return Ok(vec![chosen(grid, choice)?]);
+        let found = choice::in_grid(grid, choice);
+        return found.map(|place| vec![place]).ok_or_else(|| choice::unknown(&[grid], choice));
     }
-    if grid.transposed {
+    if grid.transposed || grid.edges.is_some() {
         return Ok(vec![0]);
     }
     let is_named = |column: &Column| {
-        column.name.as_deref().is_some_and(names_axis)
-            || column
-                .unit
-                .as_ref()
-                .is_some_and(|said| AxisUnit::in_heading(&said.text).is_some() && names_or_bare(said))
+        column.labeled
+            || column.name.as_deref().is_some_and(names_axis)
+            || column.unit.as_ref().is_some_and(|said| is_of_axis(&said.text))
     };
     let named: Vec<usize> = (0..columns.len())
         .filter(|place| is_named(&columns[*place]) && !is_empty(&columns[*place]))
@@ -96,15 +61,23 @@ fn axis_columns(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result
         .settled_by(Setting::Column));
     };
     if !columns[first].counts() {
-        return Ok(vec![first]);
+        let own = own_axes(columns, first);
+        if own.len() > 1 {
+            let places: Vec<String> = own.iter().map(|place| columns[*place].place.to_string()).collect();
+            notes.push(Note::assumed(
+                format!("each spectrum has an axis of its own, in columns {}", places.join(", ")),
+                Some(Setting::Column),
+            ));
+        }
+        return Ok(own);
     }
     match rising.iter().find(|place| is_likely(&columns[**place])) {
         Some(&place) => {
             notes.push(Note::assumed(
                 format!(
-                    "column {} has the wavelengths, and column {} only counts the rows",
-                    place + 1,
-                    first + 1
+                    "{} has the wavelengths, and {} only counts the rows",
+                    columns[place].title(),
+                    columns[first].title()
                 ),
                 Some(Setting::Column),
             ));
@@ -112,16 +85,28 @@ fn axis_columns(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result
         }
         None => Err(Refusal::at(
             grid.lines.first().copied().unwrap_or(1),
-            format!("column {} counts the rows, and no other column has wavelengths", first + 1),
+            format!("{} counts the rows, and no other column has wavelengths", columns[first].title()),
         )
         .settled_by(Setting::Column)),
     }
 }
 
-/// Returns whether a cell of units has nothing beside the unit of an axis, or is a label such as `380nm`.
-fn names_or_bare(said: &Said) -> bool {
-    !said.text.contains('/') && !said.text.contains("-1")
-        || said.text.starts_with(|c: char| c.is_ascii_digit())
+/// Returns the axes of columns without names: the first one, and those at equal distances that are like it.
+fn own_axes(columns: &[Column], first: usize) -> Vec<usize> {
+    let alone = vec![first];
+    if columns.iter().any(|column| column.name.is_some()) {
+        return alone;
+    }
+    let is_axis = |column: &Column| column.is_monotone() && is_likely(column) && column.is_regular();
+    let Some(second) = (first + 2..columns.len()).find(|place| is_axis(&columns[*place])) else { return alone };
+    let all: Vec<usize> = (first..columns.len()).step_by(second - first).collect();
+    let fits = (columns.len() - first).is_multiple_of(second - first);
+    if fits && all.iter().all(|place| is_axis(&columns[*place])) { all } else { alone }
+}
+
+/// Returns whether a cell of units has that of an axis and nothing else.
+fn is_of_axis(said: &str) -> bool {
+    AxisUnit::in_heading(said).is_some() && Unit::in_heading(said).is_none()
 }
 
 fn is_empty(column: &Column) -> bool {

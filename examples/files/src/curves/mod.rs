@@ -1,6 +1,7 @@
 //! Makes curves of columns.
 
 mod axis;
+mod choice;
 mod values;
 
 use crate::grid::Grid;
@@ -9,24 +10,24 @@ use crate::reading::Reading;
 use crate::refusal::{Note, Refusal, Setting};
 use axis::Axis;
 
-/// Adds the curves of a grid to a reading.
-pub fn add(grid: &Grid, options: &Options, reading: &mut Reading) -> Result<(), Refusal> {
-    let axes = axis::find(grid, options, &mut reading.notes)?;
-    if grid.transposed {
-        reading.notes.push(Note::assumed(
-            format!(
-                "each row is a spectrum, and line {} has the wavelengths",
-                grid.lines.first().unwrap_or(&1)
-            ),
-            None,
-        ));
-    }
-    let chosen: Vec<usize> =
-        options.columns.iter().map(|choice| axis::chosen(grid, choice)).collect::<Result<_, _>>()?;
-    for axis in &axes {
-        for &place in &axis.values {
-            if chosen.is_empty() || chosen.contains(&place) {
-                curve(grid, axis, place, !chosen.is_empty(), options, reading)?;
+/// Adds the curves of grids to a reading.
+pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(), Refusal> {
+    let chosen = choice::of(grids, &options.columns)?;
+    for (grid, chosen) in grids.iter().zip(chosen) {
+        if chosen.is_empty() && !options.columns.is_empty() {
+            continue;
+        }
+        let axes = axis::find(grid, options, &mut reading.notes)?;
+        if grid.transposed {
+            let line = grid.lines.first().unwrap_or(&1);
+            let what = format!("each row is a spectrum, and line {line} has the wavelengths");
+            reading.notes.push(Note::assumed(what, None));
+        }
+        for axis in &axes {
+            for &place in &axis.values {
+                if chosen.is_empty() || chosen.contains(&place) {
+                    curve(grid, axis, place, !chosen.is_empty(), options, reading)?;
+                }
             }
         }
     }
@@ -43,7 +44,7 @@ fn curve(
     reading: &mut Reading,
 ) -> Result<(), Refusal> {
     let column = &grid.columns[place];
-    let title = column.name.as_ref().map_or(format!("column {}", place + 1), |name| format!("'{name}'"));
+    let title = column.title();
     let left_out = |what: &str| Note::left_out(format!("{title} {what}"));
     let count = column.values.len();
     if column.missing() == count {

@@ -106,5 +106,6 @@ pub fn is_comment(line: &str) -> bool {
 pub fn remark(line: &str) -> Option<&str> {
     let line = line.trim_start();
     let rest = line.trim_start_matches(['#', ';', '%', '!', '\'']);
-    (rest.len() < line.len()).then(|| rest.trim())
+    let is_rule = line.len() > 2 && line.chars().all(|c| matches!(c, '|' | '-' | '=' | '_' | ':' | '+' | ' '));
+    (rest.len() < line.len() || is_rule).then(|| rest.trim())
 }

@@ -1,7 +1,7 @@
 //! Finds what separates the cells of a table, and how its decimals are written.
 
 use crate::text::lines::Line;
-use crate::text::number::{Cell, Decimal, cell, labeled};
+use crate::text::number::{Cell, Decimal, Labeled, cell, labeled};
 use crate::unit::{AxisUnit, Unit};
 use std::borrow::Cow;
 
@@ -73,7 +73,7 @@ impl Dialect {
             self.split(line.text, &mut cells);
             let shape = self.shape(&cells);
             if shape.is_row() {
-                score += shape.numbers.min(64) as i64 + i64::from(shape.labeled) - 2 * shape.texts as i64;
+                score += 3 * (shape.numbers.min(64) as i64 + i64::from(shape.labeled)) - 2 * shape.texts as i64;
             }
         }
         score
@@ -84,12 +84,24 @@ impl Dialect {
         cells.clear();
         match self.separator {
             _ if line.contains('"') => quoted(line, self.separator, cells),
+            // The rows of tables in Markdown begin with the mark.
+            Separator::Mark('|') => {
+                let line = line.trim().trim_start_matches('|');
+                cells.extend(line.split('|').map(|cell| Cow::Borrowed(cell.trim())));
+            }
             Separator::Mark(mark) => cells.extend(line.split(mark).map(|cell| Cow::Borrowed(cell.trim()))),
             Separator::Blanks => cells.extend(line.split_whitespace().map(Cow::Borrowed)),
         }
         while cells.last().is_some_and(|cell| cell.is_empty()) {
             cells.pop();
         }
+    }
+
+    /// Returns the first cell of a line.
+    pub fn first(self, line: &str) -> Option<String> {
+        let mut cells = Vec::new();
+        self.split(line, &mut cells);
+        cells.first().map(|cell| cell.to_string())
     }
 
     /// Returns what the cells of a line are.
@@ -112,16 +124,12 @@ impl Dialect {
         shape
     }
 
-    /// Returns the number of a cell such as `380nm`, `Spectral Data 380[nm]` or `380(mW/m2/nm)`, and what stands
-    /// around it.
-    pub fn wavelength(self, text: &str) -> Option<(f64, Option<AxisUnit>, Option<Unit>)> {
+    /// Returns the number of a cell such as `380nm`, `Spectral Data 380[nm]` or `380(mW/m2/nm)`, and the words around
+    /// it, if they say something of units.
+    pub fn wavelength(self, text: &str) -> Option<Labeled<'_>> {
         let label = labeled(text, self.decimal)?;
-        let axis = AxisUnit::in_heading(label.after).filter(|_| !label.after.contains('/'));
-        let unit = Unit::in_heading(label.after);
-        (label.after.is_empty() && AxisUnit::in_heading(label.before).is_some()
-            || axis.is_some()
-            || unit.is_some())
-        .then_some((label.number, axis, unit))
+        let says = |text: &str| AxisUnit::in_heading(text).is_some() || Unit::in_heading(text).is_some();
+        says(label.said()).then_some(label)
     }
 }
 

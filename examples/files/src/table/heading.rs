@@ -1,12 +1,13 @@
 //! Reads what stands above a table: names, units, and facts about the measurement.
 
-use super::body::{Block, is_comment, remark};
-use super::dialect::{Dialect, said};
+use super::body::{Block, remark};
+use super::dialect::{Dialect, Separator, said};
 use crate::grid::Said;
 use crate::reading::Fact;
 use crate::text::lines::Line;
 use crate::text::number::{Cell, cell};
 use crate::unit::{AxisUnit, Unit, names_axis, plain};
+use std::borrow::Cow;
 
 /// What the lines above a table say of it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -55,6 +56,12 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
             break;
         }
     }
+    if heading.names.is_empty() {
+        // Such a line may stand anywhere among the facts.
+        let names = above.iter().filter(|line| dialect.first(line.text).is_some_and(|cell| names_names(&cell)));
+        let mut cells = names.filter_map(|line| columns(line.text, line.number, block, dialect, false));
+        heading.names = cells.next_back().unwrap_or_default();
+    }
     for line in above {
         general(line, &mut heading);
     }
@@ -65,7 +72,11 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
 fn columns(text: &str, line: usize, block: &Block, dialect: Dialect, is_remark: bool) -> Option<Vec<Said>> {
     let mut cells = Vec::new();
     dialect.split(text, &mut cells);
-    let about_axis = cells.iter().any(|cell| names_axis(cell));
+    if dialect.separator == Separator::Blanks {
+        join_units(&mut cells, block.cells);
+    }
+    let names_columns = cells.len() <= block.cells && cells.first().is_some_and(|cell| names_names(cell));
+    let about_axis = names_columns || cells.iter().any(|cell| names_axis(cell));
     let numbers = cells.iter().filter(|text| matches!(cell(text, dialect.decimal), Cell::Number(_))).count();
     if cells.len() < 2 || (numbers > 0 && !about_axis) || (is_remark && !about_axis) {
         return None;
@@ -79,11 +90,31 @@ fn columns(text: &str, line: usize, block: &Block, dialect: Dialect, is_remark: 
         }
         0 => {}
         _ if missing > 0 && about_axis => {}
-        _ if missing < 0 && about_axis && dialect.separator != super::dialect::Separator::Blanks => {}
+        _ if missing < 0 && about_axis && dialect.separator != Separator::Blanks => {}
         _ => return None,
     }
     cells.resize(block.cells, Said { text: String::new(), line });
     Some(cells)
+}
+
+/// Joins the units of a heading such as `Wavelength (nm) Flux (W/nm)` to the names before them.
+fn join_units(cells: &mut Vec<Cow<str>>, wanted: usize) {
+    let mut place = 1;
+    while cells.len() > wanted && place < cells.len() {
+        if cells[place].starts_with(['(', '[']) {
+            let unit = cells.remove(place);
+            let name = cells[place - 1].to_mut();
+            name.push(' ');
+            name.push_str(&unit);
+        } else {
+            place += 1;
+        }
+    }
+}
+
+/// Returns whether the first cell of a line says that the names of the spectra follow.
+fn names_names(cell: &str) -> bool {
+    matches!(plain(cell).trim_end_matches(':'), "name" | "names" | "data name" | "sample" | "samples" | "sample name" | "title")
 }
 
 fn is_unit(text: &str) -> bool {
@@ -130,9 +161,4 @@ pub fn facts(lines: &[Line]) -> Vec<Fact> {
         }
     }
     facts
-}
-
-/// Returns whether all lines are remarks or empty.
-pub fn is_silent(lines: &[Line]) -> bool {
-    lines.iter().all(|line| line.text.trim().is_empty() || is_comment(line.text))
 }

@@ -51,7 +51,11 @@ pub fn read(text: &str) -> Result<Tables, Refusal> {
 fn columns(lines: &[Line], block: &Block, heading: Heading, dialect: Dialect) -> Grid {
     let mut columns = vec![Column::default(); block.cells];
     for (column, said) in columns.iter_mut().zip(heading.names) {
+        column.heading = said.line;
         column.name = Some(said.text).filter(|text| !text.is_empty());
+    }
+    for (place, column) in columns.iter_mut().enumerate() {
+        column.place = place + 1;
     }
     for (column, said) in columns.iter_mut().zip(heading.units) {
         column.unit = Some(said).filter(|said| !said.text.is_empty());
@@ -75,18 +79,20 @@ fn columns(lines: &[Line], block: &Block, heading: Heading, dialect: Dialect) ->
 impl Column {
     fn push(&mut self, text: &str, line: usize, labeled: bool, dialect: Dialect) {
         let said = || Said { text: text.to_owned(), line };
-        if labeled && let Some((number, axis, unit)) = dialect.wavelength(text) {
-            if self.values.is_empty() && (axis.is_some() || unit.is_some()) {
-                self.unit = Some(said());
+        if labeled && let Some(label) = dialect.wavelength(text) {
+            if self.values.is_empty() {
+                self.labeled = true;
+                self.unit = Some(Said { text: label.said().to_owned(), line });
             }
-            self.values.push(number);
+            self.values.push(label.number);
             return;
         }
         self.values.push(match cell(text, dialect.decimal) {
             Cell::Number(number) => number,
             Cell::Missing => f64::NAN,
-            Cell::Text(_) => {
+            Cell::Text(text) => {
                 self.texts += 1;
+                self.words.push(self.values.len(), text);
                 self.text.get_or_insert_with(said);
                 f64::NAN
             }

@@ -41,8 +41,12 @@ pub fn read(lines: &[Line], block: &Block, heading: &Heading, dialect: Dialect) 
         // Where the heading of the row names is missing, the rows have one cell more.
         let from = axis.from + usize::from(cells.len() == axis.from + count + 1);
         let name = cells[..from.min(cells.len())].iter().map(AsRef::as_ref).collect::<Vec<&str>>().join(" ");
-        let mut column =
-            Column { name: Some(name).filter(|name| !name.trim().is_empty()), ..Column::default() };
+        let mut column = Column {
+            name: Some(name).filter(|name| !name.trim().is_empty()),
+            place: grid.columns.len(),
+            line: Some(line.number),
+            ..Column::default()
+        };
         for place in from..from + count {
             column.push(cells.get(place).map_or("", |text| text.as_ref()), line.number, false, dialect);
         }

@@ -48,11 +48,12 @@ pub fn number(text: &str, decimal: Decimal) -> Option<f64> {
     let parsed = if plain && decimal == Decimal::Point {
         text.parse::<f64>()
     } else {
-        let other = if decimal == Decimal::Comma { '.' } else { ',' };
-        if text.contains(other) {
+        let (mark, other) = if decimal == Decimal::Comma { (',', '.') } else { ('.', ',') };
+        let whole = text.split(mark).next().unwrap_or("");
+        if text.contains(other) && !(text.contains(mark) && is_grouped(whole, other)) {
             return None;
         }
-        let replaced = text.replace(',', ".").replace('−', "-").replace(['d', 'D'], "e");
+        let replaced = text.replace(other, "").replace(mark, ".").replace('−', "-").replace(['d', 'D'], "e");
         // Nothing but what a number has, so that "infinity" and "nan" stay words.
         if !replaced
             .bytes()
@@ -65,6 +66,13 @@ pub fn number(text: &str, decimal: Decimal) -> Option<f64> {
     parsed.ok().filter(|number| number.is_finite())
 }
 
+/// Returns whether the digits stand in groups of three, as in 1,234,567.
+fn is_grouped(whole: &str, mark: char) -> bool {
+    let mut groups = whole.trim_start_matches(['+', '-', '−']).split(mark);
+    let is_group = |group: &str| group.len() == 3 && group.bytes().all(|byte| byte.is_ascii_digit());
+    groups.next().is_some_and(|first| (1..=3).contains(&first.len())) && groups.all(is_group)
+}
+
 /// A cell that holds a number and words around it, such as `380nm` or `Spectral Data 380[nm]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Labeled<'a> {
@@ -74,6 +82,13 @@ pub struct Labeled<'a> {
     pub before: &'a str,
     /// What stands behind it.
     pub after: &'a str,
+}
+
+impl<'a> Labeled<'a> {
+    /// Returns the words behind the number, or those before it if there are none.
+    pub fn said(&self) -> &'a str {
+        if self.after.is_empty() { self.before } else { self.after }
+    }
 }
 
 /// Finds the first number in a cell that has words, too.
@@ -109,6 +124,10 @@ mod tests {
         }
         assert_eq!(number("0,5", Decimal::Comma), Some(0.5));
         assert_eq!(number("0.5", Decimal::Comma), None);
+        // Both marks in a number leave no doubt which one groups.
+        assert_eq!(point("1,234,567.5"), Some(1_234_567.5));
+        assert_eq!(number("-1.234,5", Decimal::Comma), Some(-1234.5));
+        assert_eq!(point("1,23,567.5"), None);
         assert_eq!(cell(" NaN ", Decimal::Point), Cell::Missing);
         assert_eq!(cell("lamp", Decimal::Point), Cell::Text("lamp"));
     }

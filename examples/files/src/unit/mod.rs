@@ -7,4 +7,4 @@ mod words;
 
 pub use axis::{AxisUnit, names_axis};
 pub use value::{Quantity, Unit};
-pub(crate) use words::plain;
+pub(crate) use words::{brackets, plain};

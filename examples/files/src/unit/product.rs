@@ -19,6 +19,8 @@ pub struct Product {
     pub terahertz: i32,
     /// Wavenumbers, in cm-1.
     pub wavenumber: i32,
+    /// Electronvolts of the energy of a photon.
+    pub electronvolt: i32,
 }
 
 /// Reads a product from a text that is in plain letters and lower case, or returns `None` if a part of it is
@@ -76,6 +78,20 @@ fn exponent(text: &str) -> Option<(i32, &str)> {
 impl Product {
     /// Multiplies by a power of a unit.
     fn multiply(&mut self, name: &str, power: i32) -> Option<()> {
+        // Energy is power for a time.
+        let joules = match name {
+            "j" | "joule" | "joules" => Some(1.0),
+            "mj" => Some(1e-3),
+            "uj" => Some(1e-6),
+            "erg" | "ergs" => Some(1e-7),
+            _ => None,
+        };
+        if let Some(joules) = joules {
+            self.watt += power;
+            self.second += power;
+            self.factor *= f64::powi(joules, power);
+            return Some(());
+        }
         let (scale, count): (f64, &mut i32) = match name {
             "w" | "watt" | "watts" => (1.0, &mut self.watt),
             "kw" => (1e3, &mut self.watt),
@@ -97,6 +113,7 @@ impl Product {
             "um" | "micron" | "micrometer" | "micrometre" if power == -1 => (1e3, &mut self.nanometer),
             "angstrom" if power == -1 => (0.1, &mut self.nanometer),
             "thz" => (1.0, &mut self.terahertz),
+            "ev" => (1.0, &mut self.electronvolt),
             "hz" if power == -1 => (1e-12, &mut self.terahertz),
             "m" | "meter" | "metre" | "sqm" if power % 2 == 0 => (1.0, &mut self.meter),
             // W/m3 is W/m2 per meter of wavelength.

@@ -101,6 +101,7 @@ impl Unit {
             nanometer,
             terahertz,
             wavenumber,
+            electronvolt,
             factor,
         } = product;
         let (photons, factor) = match (watt, mole, photon, second) {
@@ -116,11 +117,12 @@ impl Unit {
             (0, 0) => Quantity::Flux,
             _ => return None,
         };
-        let per = match (nanometer, terahertz, wavenumber) {
-            (-1, 0, 0) => Some(AxisUnit::Nanometer),
-            (0, -1, 0) => Some(AxisUnit::Terahertz),
-            (0, 0, -1) => Some(AxisUnit::PerCentimeter),
-            (0, 0, 0) => None,
+        let per = match (nanometer, terahertz, wavenumber, electronvolt) {
+            (-1, 0, 0, 0) => Some(AxisUnit::Nanometer),
+            (0, -1, 0, 0) => Some(AxisUnit::Terahertz),
+            (0, 0, -1, 0) => Some(AxisUnit::PerCentimeter),
+            (0, 0, 0, -1) => Some(AxisUnit::ElectronVolt),
+            (0, 0, 0, 0) => None,
             _ => return None,
         };
         // Watts without anything else are more often a power than a spectrum.
@@ -136,8 +138,9 @@ impl Unit {
     #[must_use]
     pub fn in_heading(heading: &str) -> Option<Self> {
         let text = plain(heading);
-        let inside = words::brackets(heading).chain([heading]);
-        let product = inside.filter_map(Self::parse).next();
+        // Outside of brackets a lone letter is more often a name.
+        let bare = Some(heading).filter(|_| text.len() > 1);
+        let product = words::brackets(heading).chain(bare).find_map(Self::parse);
         let names = |names: &[&str]| names.iter().any(|name| text.contains(name));
         let words = |wanted: &[&str]| words::of(&text).any(|word| wanted.contains(&word));
         let percent = text.contains('%') || words(&["percent", "pct", "pct."]);
@@ -206,13 +209,15 @@ mod tests {
             ("µmol m-2 s-1 nm-1", Quantity::Irradiance, 1.0, true),
             ("umol m-2 s-1", Quantity::Irradiance, 1.0, true),
             ("photons/s/cm2/nm", Quantity::Irradiance, 1e4 / 6.022_140_76e17, true),
+            ("erg s-1 cm-2 Å-1", Quantity::Irradiance, 1e-2, false),
+            ("J/s/m2/nm", Quantity::Irradiance, 1.0, false),
             ("counts", Quantity::Counts, 1.0, false),
         ] {
             let unit = Unit::parse(text).unwrap_or_else(|| panic!("{text}"));
             assert_eq!((unit.quantity, unit.photons), (quantity, photons), "{text}");
             assert!((unit.factor / factor - 1.0).abs() < 1e-12, "{text}: {}", unit.factor);
         }
-        for text in ["lamp", "nm", "W", "m2", "umol/m2/nm", "W/m2/nm/nm", "5 W/m2/nm", ""] {
+        for text in ["lamp", "nm", "W", "m2", "umol/m2/nm", "uJ/cm2/nm", "W/m2/nm/nm", "5 W/m2/nm", ""] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }
     }
@@ -233,6 +238,9 @@ mod tests {
         // 1 nm is 40 cm-1 there.
         let unit = Unit::parse("W/m2/cm-1").unwrap();
         assert!((unit.convert(1.0, 500.0) - 40.0).abs() < 1e-9);
+        // 2.48 eV is there, of which 1 nm is the five-hundredth part.
+        let unit = Unit::parse("W/m2/eV").unwrap();
+        assert!((unit.convert(1.0, 500.0) - 0.004_959_367_9).abs() < 1e-9);
     }
 
     #[test]
@@ -252,7 +260,7 @@ mod tests {
             assert_eq!(unit.quantity, quantity, "{heading}");
             assert!((unit.factor / factor - 1.0).abs() < 1e-12, "{heading}");
         }
-        for heading in ["lamp", "Wavelength (nm)", "extra", "global", "P", "Sample A"] {
+        for heading in ["lamp", "Wavelength (nm)", "extra", "global", "P", "Sample A", "a"] {
             assert_eq!(Unit::in_heading(heading), None, "{heading}");
         }
     }
