@@ -6,15 +6,13 @@ fn main() {
             Ok(r) => {
                 for c in r.curves.iter().take(4) {
                     println!(
-                        "  {:?} {}..{} n={} v0={} lines {:?} col {:?} unit {:?}",
+                        "  {:?} {}..{} n={} v0={}: {}",
                         c.name,
                         c.wavelengths[0],
                         c.wavelengths.last().unwrap(),
                         c.values.len(),
                         c.values[0],
-                        c.lines,
-                        c.place,
-                        c.unit.map(|u| (u.sign(), u.factor, u.photons))
+                        c.origin()
                     );
                 }
                 println!("  curves {} facts {}", r.curves.len(), r.facts.len());

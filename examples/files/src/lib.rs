@@ -12,7 +12,7 @@ mod text;
 mod unit;
 
 pub use options::{Choice, Options};
-pub use reading::{Curve, Fact, Reading};
+pub use reading::{By, Curve, Fact, Reading};
 pub use refusal::{Kind, Note, Refusal, Setting};
 pub use unit::{AxisUnit, Quantity, Unit};
 

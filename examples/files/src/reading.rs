@@ -2,7 +2,7 @@
 
 use crate::refusal::Note;
 use crate::unit::{AxisUnit, Unit};
-use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// The curves of a file, and how they were understood.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,19 +24,62 @@ pub struct Curve {
     pub wavelengths: Vec<f64>,
     /// A finite value for each wavelength, in the unit of the quantity.
     pub values: Vec<f64>,
+    /// The line of the file for each sample, counted from 1, or 0 if the file has no lines.
+    pub lines: Arc<[usize]>,
     /// What the file, or the user, says of the values. It is `None` if neither does.
     pub unit: Option<Unit>,
+    /// Who says it.
+    pub unit_by: By,
     /// The edges in nm of the bands over which the values are averages, one more than values, or `None` if the
     /// values are points of a curve.
     pub edges: Option<Vec<f64>>,
     /// The unit of the axis in the file.
     pub axis: AxisUnit,
-    /// The lines of the file where it stands, counted from 1.
-    pub lines: RangeInclusive<usize>,
     /// Which column of the file it is, counted from 1, or which row if each row is a spectrum, and of how many.
     pub place: (usize, usize),
     /// Whether it is a row of the file.
     pub is_row: bool,
+}
+
+/// Who says what something is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum By {
+    /// Nobody does.
+    #[default]
+    Nobody,
+    /// The user, by an option.
+    User,
+    /// These words of the file.
+    File(String),
+}
+
+impl Curve {
+    /// Returns where it was read and what its values are, as `lines 44..444, column 3 of 5, mW/m2/nm by
+    /// 'Irradiance (mW/m2/nm)'`.
+    #[must_use]
+    pub fn origin(&self) -> String {
+        let mut origin = String::new();
+        let first = self.lines.iter().min().copied().unwrap_or(0);
+        let last = self.lines.iter().max().copied().unwrap_or(0);
+        if first == last && first > 0 {
+            origin += &format!("line {first}, ");
+        } else if first > 0 {
+            origin += &format!("lines {first}..{last}, ");
+        }
+        let kind = if self.is_row { "row" } else { "column" };
+        origin += &format!("{kind} {} of {}, ", self.place.0, self.place.1);
+        if self.axis != AxisUnit::Nanometer {
+            origin += &format!("axis in {}, ", self.axis.sign());
+        }
+        let unit = self.unit.map_or("no unit".into(), |unit| unit.written());
+        origin += &unit;
+        match &self.unit_by {
+            By::Nobody => {}
+            By::User => origin += " by the option",
+            By::File(text) => origin += &format!(" by '{}'", text.trim()),
+        }
+        origin
+    }
 }
 
 /// Something that a file says beside its spectra.

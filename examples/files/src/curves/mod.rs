@@ -9,6 +9,7 @@ use crate::options::Options;
 use crate::reading::Reading;
 use crate::refusal::{Note, Refusal, Setting};
 use axis::Axis;
+use std::sync::Arc;
 
 /// Adds the curves of grids to a reading.
 pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(), Refusal> {
@@ -23,10 +24,11 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
             let what = format!("each row is a spectrum, and line {line} has the wavelengths");
             reading.notes.push(Note::assumed(what, None));
         }
+        let lines: Arc<[usize]> = grid.lines.as_slice().into();
         for axis in &axes {
             for &place in &axis.values {
                 if chosen.is_empty() || chosen.contains(&place) {
-                    curve(grid, axis, place, !chosen.is_empty(), options, reading)?;
+                    curve(grid, axis, place, &lines, !chosen.is_empty(), options, reading)?;
                 }
             }
         }
@@ -39,6 +41,7 @@ fn curve(
     grid: &Grid,
     axis: &Axis,
     place: usize,
+    lines: &Arc<[usize]>,
     wanted: bool,
     options: &Options,
     reading: &mut Reading,
@@ -71,7 +74,7 @@ fn curve(
         reading.notes.push(left_out("is zero everywhere"));
         return Ok(());
     }
-    let curve = values::curve(grid, axis, place, &title, options, &mut reading.notes)?;
+    let curve = values::curve(grid, axis, place, &title, lines, options, &mut reading.notes)?;
     reading.curves.push(curve);
     Ok(())
 }

@@ -3,9 +3,10 @@
 use super::axis::Axis;
 use crate::grid::{Column, Grid};
 use crate::options::Options;
-use crate::reading::Curve;
+use crate::reading::{By, Curve};
 use crate::refusal::{Note, Refusal, Setting};
 use crate::unit::{AxisUnit, Quantity, Unit, brackets};
+use std::sync::Arc;
 
 /// Numbers that programs write where nothing was measured.
 const FILLS: [f64; 7] = [-999.0, -9999.0, -99_999.0, -1.23e34, 1e31, 9.969_209_968_386_87e36, 1e30];
@@ -16,13 +17,18 @@ pub fn curve(
     axis: &Axis,
     place: usize,
     title: &str,
+    shared: &Arc<[usize]>,
     options: &Options,
     notes: &mut Vec<Note>,
 ) -> Result<Curve, Refusal> {
     let column = &grid.columns[place];
-    let unit = unit(column, grid, title, options, notes)?;
+    let (unit, unit_by) = unit(column, grid, title, options)?;
+    if unit.is_none() {
+        unknown_unit(column, notes);
+    }
     let places = &grid.columns[axis.column].values;
     let mut samples: Vec<(f64, f64)> = Vec::with_capacity(places.len());
+    let mut kept: Vec<usize> = Vec::with_capacity(places.len());
     let (mut missing, mut dark) = (0, 0);
     for ((&at, &value), &line) in places.iter().zip(&column.values).zip(&grid.lines) {
         if at.is_nan() && value.is_nan() {
@@ -47,6 +53,7 @@ pub fn curve(
             continue;
         }
         samples.push((nm, value));
+        kept.push(column.line.unwrap_or(line));
     }
     if missing > 0 {
         let gaps = format!("{title} has no value in {missing} of {} rows", places.len());
@@ -55,25 +62,21 @@ pub fn curve(
     if dark > 0 {
         notes.push(Note::left_out(format!("{dark} rows at or below 0 {}", axis.unit.sign())));
     }
-    order(&mut samples, title).map_err(|refusal| {
-        // The first row of the two is where the axis stops to go on.
-        let at = |nm: f64| places.iter().position(|at| axis.unit.nm(*at) == nm);
-        let line = refusal.1.and_then(at).and_then(|row| grid.lines.get(row)).copied();
-        Refusal { line, ..refusal.0 }
-    })?;
+    order(&mut samples, &mut kept, title)?;
     check_density(&samples, axis, unit, title, notes)?;
     let convert = |(nm, value): &(f64, f64)| unit.map_or(*value, |unit| unit.convert(*value, *nm));
-    let ends = [grid.lines.first(), grid.lines.last()].map(|line| line.copied().unwrap_or(1));
-    let [first, last] = column.line.map_or(ends, |line| [line, line]);
+    // Most curves of a table have all of its lines.
+    let lines = if *kept == **shared { Arc::clone(shared) } else { kept.into() };
     let edges = edges(grid, axis, &samples, missing + dark, title, notes)?;
     Ok(Curve {
-        name: column.name.clone(),
+        name: column.name.clone().filter(|name| !is_unit(name)),
         values: samples.iter().map(convert).collect(),
         wavelengths: samples.into_iter().map(|(nm, _)| nm).collect(),
+        lines,
         unit,
+        unit_by,
         edges,
         axis: axis.unit,
-        lines: first.min(last)..=first.max(last),
         place: (column.place, grid.columns.iter().map(|column| column.place).max().unwrap_or(1)),
         is_row: column.line.is_some(),
     })
@@ -118,67 +121,81 @@ fn half_way(samples: &[(f64, f64)]) -> Vec<f64> {
     edges
 }
 
-/// Brings the samples to increasing wavelengths, or returns the wavelength where that fails.
-fn order(samples: &mut [(f64, f64)], title: &str) -> Result<(), (Refusal, Option<f64>)> {
+/// Brings the samples and their lines to increasing wavelengths.
+fn order(samples: &mut [(f64, f64)], lines: &mut [usize], title: &str) -> Result<(), Refusal> {
     if samples.len() < 2 {
         let what = format!("{title} has too few samples ({}); a spectrum has two or more", samples.len());
-        return Err((Refusal::of(what), None));
+        return Err(Refusal { line: lines.first().copied(), ..Refusal::of(what) });
     }
     if samples[0].0 > samples[samples.len() - 1].0 {
         samples.reverse();
+        lines.reverse();
     }
-    let Some(pair) = samples.windows(2).find(|pair| pair[1].0 <= pair[0].0) else { return Ok(()) };
-    let (before, after) = (pair[0].0, pair[1].0);
+    let Some(row) = (1..samples.len()).find(|row| samples[*row].0 <= samples[row - 1].0) else { return Ok(()) };
+    let (before, after) = (samples[row - 1].0, samples[row].0);
     let what = if before == after {
         format!("{title} has {before} nm twice; keep one of the two rows")
     } else {
         format!("{after} nm of {title} comes after {before} nm; sort the rows by wavelength")
     };
-    Err((Refusal::of(what), Some(after)))
+    Err(Refusal::at(lines[row].max(lines[row - 1]), what))
 }
 
-/// Returns what the values are: what the user says, or what the file says.
+/// Returns what the values are and who says so: the user, or the file.
 fn unit(
     column: &Column,
     grid: &Grid,
     title: &str,
     options: &Options,
-    notes: &mut Vec<Note>,
-) -> Result<Option<Unit>, Refusal> {
-    let said = column
-        .unit
-        .as_ref()
-        .and_then(|said| Unit::in_heading(&said.text).map(|unit| (unit, said.text.as_str())));
-    let said = said.or_else(|| column.name.as_deref().and_then(|name| Some((Unit::in_heading(name)?, name))));
-    let label = || {
-        let labeled = grid.columns.iter().find(|column| column.labeled)?.unit.as_ref()?;
-        Some((Unit::in_heading(&labeled.text)?, labeled.text.as_str()))
+) -> Result<(Option<Unit>, By), Refusal> {
+    let said = stated(column, grid);
+    let wanted = match options.unit {
+        None if options.percent => {
+            // Percent of what the file says, or else a reflectance.
+            let quantity = said.as_ref().map_or(Quantity::Reflectance, |(unit, _)| unit.quantity);
+            Some(Unit::of(quantity, 0.01)).filter(|unit| unit.is_ratio())
+        }
+        wanted => wanted,
     };
-    let said = said.or_else(label);
-    let said = said.or_else(|| {
-        grid.unit.as_ref().and_then(|said| Some((Unit::in_heading(&said.text)?, said.text.as_str())))
-    });
-    let unit = match (options.unit, said) {
-        (Some(wanted), Some((said, text))) if wanted != said && wanted.quantity != Quantity::Relative => {
-            let what =
-                format!("the file says '{}' of {title}, and the option says something else", text.trim());
-            return Err(Refusal::of(what).settled_by(Setting::Unit));
+    match (wanted, said) {
+        (None, Some((unit, _))) if unit.quantity == Quantity::Absorbance => {
+            let what = format!("{title} is an absorbance A; say so to take 10^-A as the share of the light");
+            Err(Refusal::of(what).settled_by(Setting::Unit))
         }
-        (Some(wanted), _) => Some(wanted),
-        (None, Some((said, text))) => {
-            notes.push(Note::stated(format!("{title} is in {} by '{}'", said.sign(), text.trim())));
-            Some(said)
+        // Whatever the file says stays the shape of a relative spectrum.
+        (Some(wanted), Some((said, _))) if wanted.quantity == Quantity::Relative => {
+            Ok((Some(Unit { quantity: Quantity::Relative, ..said }), By::User))
         }
-        (None, None) => {
-            unknown_unit(column, notes);
-            None
+        (Some(wanted), Some((said, text))) if !wanted.agrees_with(&said) => {
+            let what = format!(
+                "the file says '{}' of {title}, which is {}, and the option says {}",
+                text.trim(),
+                said.written(),
+                wanted.written()
+            );
+            Err(Refusal::of(what).settled_by(Setting::Unit))
         }
-    };
-    Ok(match unit {
-        None if options.percent => Some(Unit::of(Quantity::Reflectance, 0.01)),
-        Some(unit) if options.percent && unit.factor == 1.0 => Some(Unit { factor: 0.01, ..unit }),
-        unit => unit,
-    })
+        (Some(wanted), _) => Ok((Some(wanted), By::User)),
+        (None, Some((said, text))) => Ok((Some(said), By::File(text.to_owned()))),
+        (None, None) => Ok((None, By::Nobody)),
+    }
+}
+
+/// Returns what the file says of a column, with its words.
+fn stated<'a>(column: &'a Column, grid: &'a Grid) -> Option<(Unit, &'a str)> {
+    let labels = grid.columns.iter().find(|column| column.labeled).and_then(|column| column.unit.as_ref());
+    let texts = [
+        column.unit.as_ref().map(|said| said.text.as_str()),
+        column.name.as_deref(),
+        labels.map(|said| said.text.as_str()),
+        grid.unit.as_ref().map(|said| said.text.as_str()),
+    ];
+    texts.into_iter().flatten().find_map(|text| Some((Unit::in_heading(text)?, text)))
+}
+
+/// Returns whether a heading is the unit of the values and names nothing.
+fn is_unit(name: &str) -> bool {
+    name.starts_with(['[', '(']) && Unit::parse(name.trim_matches(['[', ']', '(', ')', ' '])).is_some()
 }
 
 /// Says that a heading has something in brackets, or with a fraction, that no unit here is.
@@ -201,10 +218,7 @@ fn check_density(
     title: &str,
     notes: &mut Vec<Note>,
 ) -> Result<(), Refusal> {
-    let is_ratio = unit.is_some_and(|unit| {
-        matches!(unit.quantity, Quantity::Reflectance | Quantity::Transmittance | Quantity::Absorbance)
-    });
-    if is_ratio || unit.is_some_and(|unit| unit.per.is_some()) {
+    if unit.is_some_and(|unit| unit.is_ratio()) || unit.is_some_and(|unit| unit.per.is_some()) {
         return Ok(());
     }
     if !axis.unit.is_wavelength() {

@@ -128,7 +128,9 @@ impl Dialect {
     /// it, if they say something of units.
     pub fn wavelength(self, text: &str) -> Option<Labeled<'_>> {
         let label = labeled(text, self.decimal)?;
-        let says = |text: &str| AxisUnit::in_heading(text).is_some() || Unit::in_heading(text).is_some();
+        let says = |text: &str| {
+            Unit::in_heading(text).is_some() || AxisUnit::in_heading(text).is_some() && !text.contains('/')
+        };
         says(label.said()).then_some(label)
     }
 }

@@ -29,7 +29,7 @@ pub enum Quantity {
     Reflectance,
     /// The transmitted part of the light, 1 for all of it.
     Transmittance,
-    /// The negative decimal logarithm of a transmittance or reflectance.
+    /// The negative decimal logarithm of a transmittance or reflectance, which is what it becomes.
     Absorbance,
 }
 
@@ -61,6 +61,20 @@ impl Unit {
         Unit { quantity, factor, photons: false, per }
     }
 
+    /// Returns whether it is a share of light rather than light.
+    #[must_use]
+    pub fn is_ratio(&self) -> bool {
+        matches!(self.quantity, Quantity::Reflectance | Quantity::Transmittance | Quantity::Absorbance)
+    }
+
+    /// Returns whether another unit says the same, as far as it says something.
+    pub(crate) fn agrees_with(&self, other: &Self) -> bool {
+        let factor = self.factor / other.factor;
+        (self.quantity, self.photons) == (other.quantity, other.photons)
+            && (self.per.is_none() || other.per.is_none() || self.per == other.per)
+            && (factor - 1.0).abs() < 1e-9
+    }
+
     /// Returns a value of this unit at a wavelength, in the unit of the quantity.
     #[must_use]
     pub fn convert(&self, value: f64, nm: f64) -> f64 {
@@ -70,6 +84,9 @@ impl Unit {
             Some(axis) if !axis.is_wavelength() => axis.nm(1.0) / (nm * nm),
             _ => 1.0,
         };
+        if self.quantity == Quantity::Absorbance {
+            return 10f64.powf(-value);
+        }
         value * self.factor * energy * density
     }
 
@@ -168,6 +185,33 @@ impl Unit {
         })
     }
 
+    /// Returns the unit as a file writes it, such as `mW/m2/nm`.
+    #[must_use]
+    pub fn written(&self) -> String {
+        const PREFIXES: [(f64, &str); 5] = [(1.0, ""), (1e-3, "m"), (1e-6, "u"), (1e-9, "n"), (1e3, "k")];
+        let is = |factor: f64| (self.factor / factor - 1.0).abs() < 1e-9;
+        let prefix = |area: f64| PREFIXES.iter().find(|(factor, _)| is(factor * area)).map(|(_, prefix)| prefix);
+        let per = self.per.map_or(String::new(), |axis| format!("/{}", axis.sign()));
+        let per = if self.per == Some(AxisUnit::PerCentimeter) { "/cm-1".into() } else { per };
+        let area = match self.quantity {
+            Quantity::Irradiance => "/m2",
+            Quantity::Radiance => "/m2/sr",
+            Quantity::Intensity => "/sr",
+            Quantity::Flux => "",
+            _ if is(0.01) => return "percent".into(),
+            _ => return self.sign().into(),
+        };
+        match (self.photons, prefix(1.0), prefix(1e4)) {
+            (true, _, _) if is(1.0) => format!("umol{area}/s{per}"),
+            (true, _, _) => format!("{:e} umol{area}/s{per}", self.factor),
+            (false, Some(prefix), _) => format!("{prefix}W{area}{per}"),
+            (false, None, Some(prefix)) if area.contains("m2") => {
+                format!("{prefix}W{}{per}", area.replace("m2", "cm2"))
+            }
+            _ => format!("{:e} W{area}{per}", self.factor),
+        }
+    }
+
     /// Returns the unit of the values after [`convert`](Self::convert), as messages write it.
     #[must_use]
     pub fn sign(&self) -> &'static str {
@@ -216,6 +260,9 @@ mod tests {
             let unit = Unit::parse(text).unwrap_or_else(|| panic!("{text}"));
             assert_eq!((unit.quantity, unit.photons), (quantity, photons), "{text}");
             assert!((unit.factor / factor - 1.0).abs() < 1e-12, "{text}: {}", unit.factor);
+        }
+        for text in ["mW/m2/nm", "uW/cm2/nm", "W/cm2/nm", "umol/m2/s/nm", "W/m2/sr/nm", "mW/sr/nm", "W/nm", "counts"] {
+            assert_eq!(Unit::parse(text).unwrap().written(), text);
         }
         for text in ["lamp", "nm", "W", "m2", "umol/m2/nm", "uJ/cm2/nm", "W/m2/nm/nm", "5 W/m2/nm", ""] {
             assert_eq!(Unit::parse(text), None, "{text}");
