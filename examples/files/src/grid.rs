@@ -57,7 +57,11 @@ impl Words {
         if self.all.len() > MOST_WORDS {
             return;
         }
-        let last = self.rows.last().copied().filter(|place| self.all.get(usize::from(*place)).is_some_and(|word| word == text));
+        let last = self
+            .rows
+            .last()
+            .copied()
+            .filter(|place| self.all.get(usize::from(*place)).is_some_and(|word| word == text));
         let known = last.or_else(|| self.all.iter().position(|word| word == text).map(|place| place as u16));
         let place = known.unwrap_or_else(|| {
             self.all.push(text.to_owned());
@@ -103,7 +107,7 @@ impl Column {
     /// Returns how messages name the column.
     pub fn title(&self) -> String {
         match (&self.name, self.line) {
-            (Some(name), _) => format!("'{name}'"),
+            (Some(name), _) => quoted(name),
             (None, Some(line)) => format!("the row of line {line}"),
             (None, None) => format!("column {}", self.place),
         }
@@ -132,5 +136,15 @@ impl Column {
     pub fn counts(&self) -> bool {
         let first = self.values.first().copied().unwrap_or(f64::NAN);
         (first == 0.0 || first == 1.0) && self.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0)
+    }
+}
+
+/// Returns a text of the file in quotes, of which a message needs only the beginning.
+pub fn quoted(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("'{}..'", &text[..end]),
+        None => format!("'{text}'"),
     }
 }

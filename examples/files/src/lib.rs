@@ -41,14 +41,5 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Reading, Refusal> {
     if reading.curves.is_empty() {
         return Err(Refusal::of("no column holds a spectrum").settled_by(Setting::Column));
     }
-    if options.strict
-        && let Some(note) = reading.notes.iter().find(|note| note.kind == Kind::Assumed)
-    {
-        let refusal = Refusal::of(format!("it is not stated that {}", note.what));
-        return Err(match note.setting {
-            Some(setting) => refusal.settled_by(setting),
-            None => refusal,
-        });
-    }
     Ok(reading)
 }

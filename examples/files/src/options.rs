@@ -22,10 +22,10 @@ pub struct Options {
     pub unit: Option<Unit>,
     /// The unit of the axis.
     pub axis: Option<AxisUnit>,
-    /// Whether the values are in percent.
+    /// Whether the values are shares of light, such as a reflectance, and not light.
+    pub is_ratio: bool,
+    /// Whether the values are such shares in percent.
     pub percent: bool,
     /// A number that stands for a value that is missing.
     pub missing: Option<f64>,
-    /// Whether to refuse a file of which something would be assumed.
-    pub strict: bool,
 }

@@ -1,5 +1,6 @@
 //! What a file holds.
 
+use crate::grid::quoted;
 use crate::refusal::Note;
 use crate::unit::{AxisUnit, Unit};
 use std::sync::Arc;
@@ -76,7 +77,7 @@ impl Curve {
         match &self.unit_by {
             By::Nobody => {}
             By::User => origin += " by the option",
-            By::File(text) => origin += &format!(" by '{}'", text.trim()),
+            By::File(text) => origin += &format!(" by {}", quoted(text)),
         }
         origin
     }

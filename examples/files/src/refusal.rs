@@ -9,6 +9,10 @@ pub enum Setting {
     Column,
     /// The unit of the values.
     Unit,
+    /// Whether the values are absorbances, which become shares of light then.
+    Absorbance,
+    /// Whether the values are per nm or per unit of an axis that is no wavelength.
+    Density,
     /// The unit of the axis.
     AxisUnit,
     /// Whether values are in percent.

@@ -1,10 +1,10 @@
 //! Chooses the columns that are axes, and their units.
 
-use crate::grid::{Column, Grid};
 use super::choice;
+use crate::grid::{Column, Grid};
 use crate::options::Options;
 use crate::refusal::{Note, Refusal, Setting};
-use crate::unit::{AxisUnit, Unit, names_axis};
+use crate::unit::{AxisUnit, LIKELY, Unit, names_axis};
 
 /// An axis and the columns that belong to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,10 +13,6 @@ pub struct Axis {
     pub unit: AxisUnit,
     pub values: Vec<usize>,
 }
-
-/// The wavelengths in nm that are taken for such if nothing is said: from the shortest ultraviolet of
-/// spectrometers to the end of their near infrared.
-const LIKELY: std::ops::RangeInclusive<f64> = 150.0..=3500.0;
 
 /// Finds the axes of a grid, and says what was assumed.
 pub fn find(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result<Vec<Axis>, Refusal> {
@@ -98,7 +94,9 @@ fn own_axes(columns: &[Column], first: usize) -> Vec<usize> {
         return alone;
     }
     let is_axis = |column: &Column| column.is_monotone() && is_likely(column) && column.is_regular();
-    let Some(second) = (first + 2..columns.len()).find(|place| is_axis(&columns[*place])) else { return alone };
+    let Some(second) = (first + 2..columns.len()).find(|place| is_axis(&columns[*place])) else {
+        return alone;
+    };
     let all: Vec<usize> = (first..columns.len()).step_by(second - first).collect();
     let fits = (columns.len() - first).is_multiple_of(second - first);
     if fits && all.iter().all(|place| is_axis(&columns[*place])) { all } else { alone }

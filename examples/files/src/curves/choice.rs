@@ -1,6 +1,6 @@
 //! Finds the columns that a user names.
 
-use crate::grid::{Column, Grid};
+use crate::grid::{Column, Grid, quoted};
 use crate::options::Choice;
 use crate::refusal::{Refusal, Setting};
 
@@ -13,7 +13,7 @@ pub fn of(grids: &[Grid], choices: &[Choice]) -> Result<Vec<Vec<usize>>, Refusal
             if let Choice::Name(name) = choice
                 && grid.columns.iter().filter(|column| is_it(column, choice)).count() > 1
             {
-                let what = format!("several columns are named '{name}'; give a number");
+                let what = format!("several columns are named {}; give a number", quoted(name));
                 return Err(Refusal::of(what).settled_by(Setting::Column));
             }
             if let Some(place) = in_grid(grid, choice) {
@@ -52,7 +52,8 @@ pub fn unknown(grids: &[&Grid], choice: &Choice) -> Refusal {
             format!("there is no column {number}; the last one is {last}")
         }
         Choice::Name(name) => {
-            let mut names: Vec<&str> = columns().filter_map(|column| column.name.as_deref()).collect();
+            let mut names: Vec<String> =
+                columns().filter(|column| column.name.is_some()).map(Column::title).collect();
             let more = names.len().saturating_sub(MOST_NAMES);
             names.truncate(MOST_NAMES);
             let known = match (names.is_empty(), more) {
@@ -60,7 +61,7 @@ pub fn unknown(grids: &[&Grid], choice: &Choice) -> Refusal {
                 (_, 0) => format!("there are {}", names.join(", ")),
                 _ => format!("there are {} and {more} more", names.join(", ")),
             };
-            format!("no column is named '{name}'; {known}")
+            format!("no column is named {}; {known}", quoted(name))
         }
     };
     Refusal::of(what).settled_by(Setting::Column)

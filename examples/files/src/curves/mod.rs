@@ -4,7 +4,7 @@ mod axis;
 mod choice;
 mod values;
 
-use crate::grid::Grid;
+use crate::grid::{Grid, quoted};
 use crate::options::Options;
 use crate::reading::Reading;
 use crate::refusal::{Note, Refusal, Setting};
@@ -19,6 +19,9 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
             continue;
         }
         let axes = axis::find(grid, options, &mut reading.notes)?;
+        // What is zero everywhere is a channel that is off, unless it is all there is.
+        let is_dark = |place: &usize| grid.columns[*place].values.iter().all(|value| !(value.abs() > 0.0));
+        let all_dark = axes.iter().flat_map(|axis| &axis.values).all(is_dark);
         if grid.transposed {
             let line = grid.lines.first().unwrap_or(&1);
             let what = format!("each row is a spectrum, and line {line} has the wavelengths");
@@ -28,7 +31,8 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
         for axis in &axes {
             for &place in &axis.values {
                 if chosen.is_empty() || chosen.contains(&place) {
-                    curve(grid, axis, place, &lines, !chosen.is_empty(), options, reading)?;
+                    let wanted = !chosen.is_empty() || all_dark;
+                    curve(grid, axis, place, &lines, wanted, options, reading)?;
                 }
             }
         }
@@ -52,7 +56,7 @@ fn curve(
     let count = column.values.len();
     if column.missing() == count {
         let what = if column.texts > 0 { "holds words" } else { "is empty" };
-        if wanted {
+        if wanted && !options.columns.is_empty() {
             return Err(Refusal::of(format!("{title} {what}")).settled_by(Setting::Column));
         }
         reading.notes.push(left_out(what));
@@ -63,10 +67,10 @@ fn curve(
             reading.notes.push(left_out("holds words"));
             return Ok(());
         }
-        let what = format!("{title} is '{}', which is not a number; correct it", said.text);
+        let what = format!("{title} is {}, which is not a number; correct it", quoted(&said.text));
         return Err(Refusal::at(said.line, what).settled_by(Setting::Column));
     }
-    if !wanted && column.counts() {
+    if !wanted && place < axis.column && column.counts() {
         reading.notes.push(left_out("only counts the rows"));
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! Brings the values of a column to the unit of their quantity and to increasing wavelengths.
 
 use super::axis::Axis;
-use crate::grid::{Column, Grid};
+use crate::grid::{Column, Grid, quoted};
 use crate::options::Options;
 use crate::reading::{By, Curve};
 use crate::refusal::{Note, Refusal, Setting};
@@ -63,7 +63,11 @@ pub fn curve(
         notes.push(Note::left_out(format!("{dark} rows at or below 0 {}", axis.unit.sign())));
     }
     order(&mut samples, &mut kept, title)?;
-    check_density(&samples, axis, unit, title, notes)?;
+    // Numbers that the user calls relative are as they are.
+    let is_settled = unit_by == By::User && unit.is_some_and(|unit| unit.quantity == Quantity::Relative);
+    if !is_settled {
+        check_density(&samples, axis, unit, title, notes)?;
+    }
     let convert = |(nm, value): &(f64, f64)| unit.map_or(*value, |unit| unit.convert(*value, *nm));
     // Most curves of a table have all of its lines.
     let lines = if *kept == **shared { Arc::clone(shared) } else { kept.into() };
@@ -96,12 +100,15 @@ fn edges(
 ) -> Result<Option<Vec<f64>>, Refusal> {
     let name = grid.columns[axis.column].name.as_deref().unwrap_or("");
     if name.eq_ignore_ascii_case(BANDS) {
-        notes.push(Note::stated(format!("{title} has averages over bands, whose edges lie half way between")));
+        notes
+            .push(Note::stated(format!("{title} has averages over bands, whose edges lie half way between")));
         return Ok(Some(half_way(samples)));
     }
     let Some(edges) = &grid.edges else { return Ok(None) };
     if left_out > 0 {
-        return Err(Refusal::of(format!("{title} has bands without a value; complete them or take their rows out")));
+        return Err(Refusal::of(format!(
+            "{title} has bands without a value; complete them or take their rows out"
+        )));
     }
     let mut edges: Vec<f64> = edges.iter().map(|edge| axis.unit.nm(*edge)).collect();
     if edges[0] > edges[edges.len() - 1] {
@@ -131,7 +138,9 @@ fn order(samples: &mut [(f64, f64)], lines: &mut [usize], title: &str) -> Result
         samples.reverse();
         lines.reverse();
     }
-    let Some(row) = (1..samples.len()).find(|row| samples[*row].0 <= samples[row - 1].0) else { return Ok(()) };
+    let Some(row) = (1..samples.len()).find(|row| samples[*row].0 <= samples[row - 1].0) else {
+        return Ok(());
+    };
     let (before, after) = (samples[row - 1].0, samples[row].0);
     let what = if before == after {
         format!("{title} has {before} nm twice; keep one of the two rows")
@@ -142,25 +151,15 @@ fn order(samples: &mut [(f64, f64)], lines: &mut [usize], title: &str) -> Result
 }
 
 /// Returns what the values are and who says so: the user, or the file.
-fn unit(
-    column: &Column,
-    grid: &Grid,
-    title: &str,
-    options: &Options,
-) -> Result<(Option<Unit>, By), Refusal> {
+fn unit(column: &Column, grid: &Grid, title: &str, options: &Options) -> Result<(Option<Unit>, By), Refusal> {
     let said = stated(column, grid);
-    let wanted = match options.unit {
-        None if options.percent => {
-            // Percent of what the file says, or else a reflectance.
-            let quantity = said.as_ref().map_or(Quantity::Reflectance, |(unit, _)| unit.quantity);
-            Some(Unit::of(quantity, 0.01)).filter(|unit| unit.is_ratio())
-        }
-        wanted => wanted,
-    };
-    match (wanted, said) {
+    if options.unit.is_none() && (options.percent || options.is_ratio) {
+        return share(said, title, options.percent);
+    }
+    match (options.unit, said) {
         (None, Some((unit, _))) if unit.quantity == Quantity::Absorbance => {
-            let what = format!("{title} is an absorbance A; say so to take 10^-A as the share of the light");
-            Err(Refusal::of(what).settled_by(Setting::Unit))
+            let what = format!("{title} is an absorbance A, which is neither a light nor a share of one");
+            Err(Refusal::of(what).settled_by(Setting::Absorbance))
         }
         // Whatever the file says stays the shape of a relative spectrum.
         (Some(wanted), Some((said, _))) if wanted.quantity == Quantity::Relative => {
@@ -168,8 +167,8 @@ fn unit(
         }
         (Some(wanted), Some((said, text))) if !wanted.agrees_with(&said) => {
             let what = format!(
-                "the file says '{}' of {title}, which is {}, and the option says {}",
-                text.trim(),
+                "the file says {} of {title}, which is {}, and the option says {}",
+                quoted(text),
                 said.written(),
                 wanted.written()
             );
@@ -178,6 +177,21 @@ fn unit(
         (Some(wanted), _) => Ok((Some(wanted), By::User)),
         (None, Some((said, text))) => Ok((Some(said), By::File(text.to_owned()))),
         (None, None) => Ok((None, By::Nobody)),
+    }
+}
+
+/// Returns the unit of values of which the user says that they are shares of light.
+fn share(said: Option<(Unit, &str)>, title: &str, percent: bool) -> Result<(Option<Unit>, By), Refusal> {
+    let factor = if percent { 0.01 } else { 1.0 };
+    match said {
+        None => Ok((Some(Unit::of(Quantity::Reflectance, factor)), By::User)),
+        Some((said, text)) if !said.is_ratio() || said.quantity == Quantity::Absorbance => {
+            let what =
+                format!("the file says {} of {title}, which is no share of light from 0 to 1", quoted(text));
+            Err(Refusal::of(what).settled_by(Setting::Unit))
+        }
+        Some((said, _)) if percent => Ok((Some(Unit::of(said.quantity, factor)), By::User)),
+        Some((said, text)) => Ok((Some(said), By::File(text.to_owned()))),
     }
 }
 
@@ -205,7 +219,10 @@ fn unknown_unit(column: &Column, notes: &mut Vec<Note>) {
     let fraction = texts.filter(|text| text.contains('/') && !text.contains(['(', '[']));
     let unknown = in_brackets.chain(fraction).map(str::trim).find(|text| text.contains(char::is_alphabetic));
     if let Some(unknown) = unknown {
-        let what = format!("'{unknown}' of the heading is no unit that is known here, so the values are relative");
+        let what = format!(
+            "{} of the heading is no unit that is known here, so the values are relative",
+            quoted(unknown)
+        );
         notes.push(Note { setting: Some(Setting::Unit), ..Note::left_out(what) });
     }
 }
@@ -227,7 +244,7 @@ fn check_density(
             axis.unit.sign(),
             axis.unit.sign()
         );
-        return Err(Refusal::of(what).settled_by(Setting::Unit));
+        return Err(Refusal::of(what).settled_by(Setting::Density));
     }
     let Some(unit) = unit.filter(|unit| !matches!(unit.quantity, Quantity::Relative | Quantity::Counts))
     else {

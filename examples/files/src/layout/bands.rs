@@ -21,7 +21,10 @@ pub fn join(grid: &Grid, notes: &mut Vec<Note>) -> Option<Grid> {
         return None;
     }
     notes.push(Note::assumed(
-        format!("columns {} and {} are the edges of bands, over which the values are averages", low.place, high.place),
+        format!(
+            "columns {} and {} are the edges of bands, over which the values are averages",
+            low.place, high.place
+        ),
         Some(Setting::Column),
     ));
     let middles = low.values.iter().zip(&high.values).map(|(low, high)| f64::midpoint(*low, *high)).collect();

@@ -29,7 +29,11 @@ pub fn unfold(grid: &Grid, notes: &mut Vec<Note>) -> Option<Grid> {
         if let Some(order) = order {
             let axes: Vec<String> = parts.iter().map(|part| part[0].place.to_string()).collect();
             notes.push(Note::assumed(
-                format!("columns {} are one axis, so that each row has {} samples of a spectrum", axes.join(", "), parts.len()),
+                format!(
+                    "columns {} are one axis, so that each row has {} samples of a spectrum",
+                    axes.join(", "),
+                    parts.len()
+                ),
                 Some(Setting::Column),
             ));
             return Some(in_order(grid, &parts, &order));
@@ -40,7 +44,9 @@ pub fn unfold(grid: &Grid, notes: &mut Vec<Note>) -> Option<Grid> {
 
 /// Returns whether the parts have no names, or the same names each.
 fn have_same_names(parts: &[&[Column]]) -> bool {
-    parts.iter().all(|part| part.iter().zip(parts[0]).all(|(column, first)| column.name.is_none() || column.name == first.name))
+    parts.iter().all(|part| {
+        part.iter().zip(parts[0]).all(|(column, first)| column.name.is_none() || column.name == first.name)
+    })
 }
 
 /// Returns whether the first columns of the parts, in this order, increase in equal steps.

@@ -34,7 +34,11 @@ pub fn split(grid: &Grid, notes: &mut Vec<Note>) -> Option<Vec<Grid>> {
         let named = |place: &usize| {
             let column = pick(*place, &rows);
             let own = column.name.clone().filter(|_| places.len() > 1);
-            Column { name: Some(own.map_or(name.clone(), |own| format!("{name} {own}"))), unit: unit(&column), ..column }
+            Column {
+                name: Some(own.map_or(name.clone(), |own| format!("{name} {own}"))),
+                unit: unit(&column),
+                ..column
+            }
         };
         Grid {
             columns: std::iter::once(pick(axis, &rows)).chain(places.iter().map(named)).collect(),

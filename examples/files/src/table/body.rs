@@ -106,6 +106,7 @@ pub fn is_comment(line: &str) -> bool {
 pub fn remark(line: &str) -> Option<&str> {
     let line = line.trim_start();
     let rest = line.trim_start_matches(['#', ';', '%', '!', '\'']);
-    let is_rule = line.len() > 2 && line.chars().all(|c| matches!(c, '|' | '-' | '=' | '_' | ':' | '+' | ' '));
+    let is_rule =
+        line.len() > 2 && line.chars().all(|c| matches!(c, '|' | '-' | '=' | '_' | ':' | '+' | ' '));
     (rest.len() < line.len() || is_rule).then(|| rest.trim())
 }

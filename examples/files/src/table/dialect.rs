@@ -73,7 +73,8 @@ impl Dialect {
             self.split(line.text, &mut cells);
             let shape = self.shape(&cells);
             if shape.is_row() {
-                score += 3 * (shape.numbers.min(64) as i64 + i64::from(shape.labeled)) - 2 * shape.texts as i64;
+                score +=
+                    3 * (shape.numbers.min(64) as i64 + i64::from(shape.labeled)) - 2 * shape.texts as i64;
             }
         }
         score
@@ -154,21 +155,24 @@ pub fn said(line: &str) -> Option<char> {
 /// Splits a line with quotes by the rules of CSV.
 fn quoted<'a>(line: &str, separator: Separator, cells: &mut Vec<Cow<'a, str>>) {
     let delimiter = match separator {
-        Separator::Mark(mark) => mark as u8,
-        Separator::Blanks => b' ',
+        Separator::Mark(mark) if mark.is_ascii() => mark as u8,
+        _ => b' ',
     };
+    // CSV wants quotes directly beside the separators, but `nm, "a"` has a blank between them.
+    let mut parts: Vec<&str> = line.trim().split('"').collect();
+    if separator != Separator::Blanks {
+        parts.iter_mut().step_by(2).for_each(|part| *part = part.trim_matches(' '));
+    }
+    let line = parts.join("\"");
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .delimiter(delimiter)
-        .trim(csv::Trim::All)
         .flexible(true)
-        .from_reader(line.trim().as_bytes());
+        .from_reader(line.as_bytes());
     let mut record = csv::StringRecord::new();
     if reader.read_record(&mut record).unwrap_or(false) {
-        let blanks = separator == Separator::Blanks;
-        cells.extend(
-            record.iter().filter(|cell| !(blanks && cell.is_empty())).map(|cell| Cow::Owned(cell.to_owned())),
-        );
+        let is_wanted = |cell: &&str| separator != Separator::Blanks || !cell.trim().is_empty();
+        cells.extend(record.iter().filter(is_wanted).map(|cell| Cow::Owned(cell.trim().to_owned())));
     }
 }
 

@@ -42,7 +42,11 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
         if looked_at > REACH {
             break;
         }
-        let Some(cells) = columns(text, line.number, block, dialect, is_remark) else { break };
+        let cells = match columns(text, line.number, block, dialect, is_remark) {
+            Some(cells) => cells,
+            None if is_remark => continue,
+            None => break,
+        };
         let units = cells.iter().filter(|cell| is_unit(&cell.text)).count();
         let filled = cells.iter().filter(|cell| !cell.text.is_empty()).count();
         if heading.units.is_empty()
@@ -58,7 +62,8 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
     }
     if heading.names.is_empty() {
         // Such a line may stand anywhere among the facts.
-        let names = above.iter().filter(|line| dialect.first(line.text).is_some_and(|cell| names_names(&cell)));
+        let names =
+            above.iter().filter(|line| dialect.first(line.text).is_some_and(|cell| names_names(&cell)));
         let mut cells = names.filter_map(|line| columns(line.text, line.number, block, dialect, false));
         heading.names = cells.next_back().unwrap_or_default();
     }
@@ -114,11 +119,18 @@ fn join_units(cells: &mut Vec<Cow<str>>, wanted: usize) {
 
 /// Returns whether the first cell of a line says that the names of the spectra follow.
 fn names_names(cell: &str) -> bool {
-    matches!(plain(cell).trim_end_matches(':'), "name" | "names" | "data name" | "sample" | "samples" | "sample name" | "title")
+    matches!(
+        plain(cell).trim_end_matches(':'),
+        "name" | "names" | "data name" | "sample" | "samples" | "sample name" | "title"
+    )
 }
 
+/// Returns whether a cell is a unit and nothing else. A letter without brackets is more often a name.
 fn is_unit(text: &str) -> bool {
     let bare = text.trim_matches(['[', ']', '(', ')', ' ']);
+    if text.chars().count() == 1 && text != "%" {
+        return false;
+    }
     AxisUnit::parse(bare).is_some() || Unit::parse(bare).is_some() || plain(text) == "%"
 }
 

@@ -5,7 +5,8 @@ use super::dialect::Dialect;
 use super::heading::Heading;
 use crate::grid::{Column, Grid, Said};
 use crate::text::lines::Line;
-use crate::text::number::{Cell, Decimal, cell, labeled};
+use crate::text::number::{Cell, Decimal, cell, labeled, number};
+use crate::unit::{AxisUnit, LIKELY, names_axis};
 
 /// The fewest wavelengths that are taken for the axis of a transposed table.
 const FEWEST: usize = 6;
@@ -26,6 +27,9 @@ pub fn read(lines: &[Line], block: &Block, heading: &Heading, dialect: Dialect) 
     let mut cells = Vec::new();
     let mut rows = lines[block.lines.clone()].iter().filter(|line| !body::is_comment(line.text));
     let above = heading.names.first().and_then(|cell| lines.get(cell.line - 1));
+    if is_upright(lines, block, above, dialect) {
+        return None;
+    }
     let (axis, skipped) = match above.and_then(|line| Axis::of(line, dialect)) {
         Some(axis) => (axis, 0),
         None => (Axis::of(rows.find(|line| !line.text.trim().is_empty())?, dialect)?, 1),
@@ -53,6 +57,18 @@ pub fn read(lines: &[Line], block: &Block, heading: &Heading, dialect: Dialect) 
         grid.columns.push(column);
     }
     (grid.columns.len() > 1).then_some(grid)
+}
+
+/// Returns whether the first column is an axis, by its heading and by its numbers.
+fn is_upright(lines: &[Line], block: &Block, above: Option<&Line>, dialect: Dialect) -> bool {
+    let first = |line: &Line| {
+        let cell = dialect.first(line.text)?;
+        number(cell.trim(), dialect.decimal).filter(|number| LIKELY.contains(number))
+    };
+    let rows = lines[block.lines.clone()].iter().filter(|line| !body::is_comment(line.text));
+    let numbers: Option<Vec<f64>> = rows.filter(|line| !line.text.trim().is_empty()).map(first).collect();
+    let is_named = above.and_then(|line| dialect.first(line.text)).is_some_and(|cell| names_axis(&cell));
+    is_named && numbers.is_some_and(|numbers| numbers.windows(2).all(|pair| pair[1] > pair[0]))
 }
 
 impl Axis {
@@ -88,6 +104,11 @@ fn is_axis(numbers: &[Option<(f64, &str, &str)>]) -> bool {
         return false;
     }
     let labeled = !(axis[0].1.is_empty() && axis[0].2.is_empty());
+    // Words without a meaning, such as those of `sample 1`, say nothing of wavelengths.
+    let is_said = AxisUnit::in_heading(axis[0].1).or(AxisUnit::in_heading(axis[0].2)).is_some();
+    if labeled && !is_said && !axis.iter().all(|number| LIKELY.contains(&number.0)) {
+        return false;
+    }
     let step = axis[1].0 - axis[0].0;
     let equal = |pair: &[(f64, &str, &str)]| ((pair[1].0 - pair[0].0) / step - 1.0).abs() < 0.01;
     let ordered = |pair: &[(f64, &str, &str)]| (pair[1].0 - pair[0].0) * step > 0.0;

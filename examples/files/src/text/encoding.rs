@@ -59,7 +59,7 @@ pub fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Refusal> {
         Err(_) => (Cow::Owned(bytes.iter().map(|byte| windows_1252(*byte)).collect()), Encoding::Windows1252),
     };
     let control = text.chars().filter(|c| c.is_control() && !c.is_whitespace() && *c != '\0').count();
-    if control * 50 > text.len() {
+    if control > 8 && control * 50 > text.len() {
         return Err(Refusal::of("the file is not text; export the spectrum as text"));
     }
     // Some programs fill the end of a line or of the file with zeros.

@@ -76,7 +76,7 @@ impl AxisUnit {
             "um" | "micron" | "microns" | "micrometer" | "micrometers" | "micrometre" | "micrometres" => {
                 AxisUnit::Micrometer
             }
-            "a" | "ang" | "angstrom" | "angstroms" | "angström" => AxisUnit::Angstrom,
+            "ang" | "angstrom" | "angstroms" | "angström" => AxisUnit::Angstrom,
             "m" | "meter" | "meters" | "metre" | "metres" => AxisUnit::Meter,
             "cm-1" | "1/cm" | "wavenumber" | "wavenumbers" => AxisUnit::PerCentimeter,
             "thz" | "terahertz" => AxisUnit::Terahertz,

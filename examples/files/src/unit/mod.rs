@@ -8,3 +8,7 @@ mod words;
 pub use axis::{AxisUnit, names_axis};
 pub use value::{Quantity, Unit};
 pub(crate) use words::{brackets, plain};
+
+/// The wavelengths in nm that are taken for such if nothing is said: from the shortest ultraviolet of
+/// spectrometers to the end of their near infrared.
+pub(crate) const LIKELY: std::ops::RangeInclusive<f64> = 150.0..=3500.0;

@@ -190,7 +190,8 @@ impl Unit {
     pub fn written(&self) -> String {
         const PREFIXES: [(f64, &str); 5] = [(1.0, ""), (1e-3, "m"), (1e-6, "u"), (1e-9, "n"), (1e3, "k")];
         let is = |factor: f64| (self.factor / factor - 1.0).abs() < 1e-9;
-        let prefix = |area: f64| PREFIXES.iter().find(|(factor, _)| is(factor * area)).map(|(_, prefix)| prefix);
+        let prefix =
+            |area: f64| PREFIXES.iter().find(|(factor, _)| is(factor * area)).map(|(_, prefix)| prefix);
         let per = self.per.map_or(String::new(), |axis| format!("/{}", axis.sign()));
         let per = if self.per == Some(AxisUnit::PerCentimeter) { "/cm-1".into() } else { per };
         let area = match self.quantity {
@@ -261,7 +262,9 @@ mod tests {
             assert_eq!((unit.quantity, unit.photons), (quantity, photons), "{text}");
             assert!((unit.factor / factor - 1.0).abs() < 1e-12, "{text}: {}", unit.factor);
         }
-        for text in ["mW/m2/nm", "uW/cm2/nm", "W/cm2/nm", "umol/m2/s/nm", "W/m2/sr/nm", "mW/sr/nm", "W/nm", "counts"] {
+        for text in
+            ["mW/m2/nm", "uW/cm2/nm", "W/cm2/nm", "umol/m2/s/nm", "W/m2/sr/nm", "mW/sr/nm", "W/nm", "counts"]
+        {
             assert_eq!(Unit::parse(text).unwrap().written(), text);
         }
         for text in ["lamp", "nm", "W", "m2", "umol/m2/nm", "uJ/cm2/nm", "W/m2/nm/nm", "5 W/m2/nm", ""] {
