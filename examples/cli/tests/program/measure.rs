@@ -326,6 +326,96 @@ fn spectra_are_named_by_the_heading_or_else_by_the_file() {
     assert_eq!(names("", &files), ["lamp.one", "two:1", "two:2"]);
 }
 
+/// Every tenth nanometer of spectra at 1 nm: white LEDs of the CIE, and the samples of TM-30.
+#[test]
+fn interpolation_by_default_comes_nearer_than_straight_lines() {
+    let coarse = |file: &str| {
+        let text = fs::read_to_string(format!("../../tables/{file}.csv")).expect("a table");
+        let is_kept = |line: &&str| {
+            let nm = line.split(',').next().and_then(|cell| cell.parse::<u32>().ok());
+            nm.is_none_or(|nm| nm % 10 == 0 && (380..=780).contains(&nm))
+        };
+        let rows = text.lines().filter(|line| !line.starts_with('#'));
+        let visible = |line: &&str| {
+            line.split(',')
+                .next()
+                .and_then(|cell| cell.parse().ok())
+                .is_none_or(|nm| (380..=780).contains(&nm))
+        };
+        let join = |rows: Vec<&str>| rows.join("\n");
+        (join(rows.clone().filter(visible).collect()), join(rows.filter(is_kept).collect()))
+    };
+    let worst = |key: &str, [whole, coarse]: [&str; 2], options: &[&str]| {
+        let [whole, coarse] =
+            [whole, coarse].map(|text| MEASURE.json_with(text, &[&["-"], options].concat()));
+        let apart = |(a, b): (&Value, &Value)| {
+            let squares = numbers(&a[key]).into_iter().zip(numbers(&b[key])).map(|(a, b)| (a - b).powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        whole.iter().zip(&coarse).map(apart).fold(0.0, f64::max)
+    };
+    let (whole, coarse_lamps) = coarse("illuminants/LED_1nm");
+    let lines = worst("xy", [&whole, &coarse_lamps], &["--interpolation", "linear"]);
+    let usual = worst("xy", [&whole, &coarse_lamps], &[]);
+    assert!(lines > 5.0 * usual && lines < 1.1e-3 && usual < 1.5e-4, "{lines} and {usual}");
+    let (whole, coarse_samples) = coarse("samples/cie224_ces99_1nm");
+    let lines = worst("lab", [&whole, &coarse_samples], &["--reflectance", "--interpolation", "linear"]);
+    let usual = worst("lab", [&whole, &coarse_samples], &["--reflectance"]);
+    assert!(lines > 4.0 * usual && lines < 0.46 && usual < 0.114, "{lines} and {usual}");
+}
+
+/// A line 0.2 nm wide has its power wherever it lies; the exact sums are those of an f64 model at 0.1 nm.
+#[test]
+fn narrow_lines_between_nanometers_keep_their_power() {
+    let lamp = |line_nm: f64| {
+        let rows = (3800..=7800).map(|tenth| {
+            let nm = f64::from(tenth) / 10.0;
+            let value = 0.001 + (10.0 - (nm - line_nm).abs() * 50.0).max(0.0);
+            format!("{nm:.1},{value}\n")
+        });
+        MEASURE.json_with(&rows.collect::<String>(), &["-", "--unit", "absolute"]).remove(0)
+    };
+    let [whole, between] = [532.0, 532.5].map(lamp);
+    for (reading, nm) in [(&whole, 532.0), (&between, 532.5)] {
+        assert_eq!(reading["interpolation"], "means");
+        assert_near(&reading["irradiance_w_m2"], 2.4, 1e-9);
+        // 2 W at the line and a thousandth of a watt for each nanometer beside it.
+        assert_near(
+            &reading["ppfd"],
+            (2.0 * nm + 0.001 * (700.0f64.powi(2) - 400.0f64.powi(2)) / 2.0) / 119.626_565_8,
+            2e-4,
+        );
+    }
+    // Half of the line counts at each of its two neighbors.
+    let v = model::tables::function("cmf/v_photopic_1nm.csv", "V");
+    let more = model::photometry::KM * 2.0 * (v[533 - 360] - v[532 - 360]) / 2.0;
+    assert_near(&between["lux"], number(&whole["lux"]) + more, 1e-3);
+}
+
+#[test]
+fn a_table_has_a_row_for_each_spectrum() {
+    let lamps = "nm,\"a, b\",=c\n400,1,2\n500,2,1\n700,3,3\n";
+    let table = MEASURE.says_to(lamps, &["-", "--csv", "--unit", "mW/m2/nm"]);
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let heading = reader.headers().expect("a heading").clone();
+    let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().expect("rows");
+    let at = |row: usize, key: &str| {
+        let column = heading.iter().position(|name| name == key).unwrap_or_else(|| panic!("{key}"));
+        rows[row][column].to_owned()
+    };
+    assert_eq!((rows.len(), at(0, "name"), at(1, "name")), (2, "a, b".into(), "'=c".into()));
+    for (k, reading) in MEASURE.json_with(lamps, &["-", "--unit", "mW/m2/nm"]).iter().enumerate() {
+        for (key, value) in [
+            ("lux", &reading["lux"]),
+            ("XYZ.2", &reading["XYZ"][1]),
+            ("alpha_opic.melanopic.edi_lx", &reading["alpha_opic"]["melanopic"]["edi_lx"]),
+            ("photons.far_red", &reading["photons"]["far_red"]),
+        ] {
+            assert_near(value, at(k, key).parse().expect("a number"), 0.0);
+        }
+    }
+}
+
 #[test]
 fn notes_say_how_the_samples_were_used() {
     let reading = |input: &str| MEASURE.json_with(input, &["-", "--interpolation", "linear"]).remove(0);

@@ -38,7 +38,6 @@ const BAD: &[(&str, usize, &str)] = &[
     ("900,1\n1000,2\n", 1, "nothing is visible"),
     ("nm,a,b\n400,1,0\n500,1,0\n", 2, "'b': every value is zero"),
     ("400,-1\n500,-2\n", 1, "nothing is visible"),
-    ("500.2,1\n500.6,1\n", 1, "nothing is visible"),
     ("nm,\"a\n500,1\n505,2\n", 1, "quote"),
     ("nm,lamp \"a\"\n500,1\n505,2\n", 1, "quoted cell"),
     ("500,1\r505,2\r", 1, "carriage return"),

@@ -20,7 +20,8 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
         }
         let axes = axis::find(grid, options, &mut reading.notes)?;
         // What is zero everywhere is a channel that is off, unless it is all there is.
-        let is_dark = |place: &usize| grid.columns[*place].values.iter().all(|value| !(value.abs() > 0.0));
+        let is_dark =
+            |place: &usize| grid.columns[*place].values.iter().all(|value| *value == 0.0 || value.is_nan());
         let all_dark = axes.iter().flat_map(|axis| &axis.values).all(is_dark);
         if grid.transposed {
             let line = grid.lines.first().unwrap_or(&1);
