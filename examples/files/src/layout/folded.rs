@@ -36,7 +36,9 @@ pub fn unfold(grid: &Grid, notes: &mut Vec<Note>) -> Option<Grid> {
                 ),
                 Some(Setting::Column),
             ));
-            return Some(in_order(grid, &parts, &order));
+            // The last rows of the last part may be empty.
+            let filled = order.iter().rposition(|(part, row)| !parts[*part][0].values[*row].is_nan());
+            return Some(in_order(grid, &parts, &order[..filled.map_or(0, |last| last + 1)]));
         }
     }
     None
@@ -52,7 +54,6 @@ fn have_same_names(parts: &[&[Column]]) -> bool {
 /// Returns whether the first columns of the parts, in this order, increase in equal steps.
 fn is_regular(parts: &[&[Column]], order: &[(usize, usize)]) -> bool {
     let axis: Vec<f64> = order.iter().map(|(part, row)| parts[*part][0].values[*row]).collect();
-    // The last rows of the last part may be empty.
     let filled = axis.iter().rposition(|value| !value.is_nan()).map_or(0, |last| last + 1);
     let axis = &axis[..filled];
     if axis.len() <= order.len() - order.len() / parts.len() {

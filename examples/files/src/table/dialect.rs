@@ -33,6 +33,9 @@ pub struct Shape {
     pub labeled: bool,
 }
 
+/// The length in bytes of the longest cell that may be a wavelength with words.
+const LONGEST_LABEL: usize = 100;
+
 /// How many lines are looked at.
 const LOOKED_AT: usize = 5000;
 
@@ -128,6 +131,10 @@ impl Dialect {
     /// Returns the number of a cell such as `380nm`, `Spectral Data 380[nm]` or `380(mW/m2/nm)`, and the words around
     /// it, if they say something of units.
     pub fn wavelength(self, text: &str) -> Option<Labeled<'_>> {
+        // A whole line, which another separator would split.
+        if text.len() > LONGEST_LABEL {
+            return None;
+        }
         let label = labeled(text, self.decimal)?;
         let says = |text: &str| {
             Unit::in_heading(text).is_some() || AxisUnit::in_heading(text).is_some() && !text.contains('/')

@@ -29,6 +29,7 @@ const REACH: usize = 4;
 pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Heading {
     let mut heading = Heading::default();
     let above = &lines[from..block.lines.start];
+    let counts = counts_rows(&lines[block.lines.clone()], dialect);
     let mut looked_at = 0;
     for line in above.iter().rev() {
         let (text, is_remark) = match remark(line.text) {
@@ -42,7 +43,7 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
         if looked_at > REACH {
             break;
         }
-        let cells = match columns(text, line.number, block, dialect, is_remark) {
+        let cells = match columns(text, line.number, block, counts, dialect, is_remark) {
             Some(cells) => cells,
             None if is_remark => continue,
             None => break,
@@ -64,17 +65,27 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
         // Such a line may stand anywhere among the facts.
         let names =
             above.iter().filter(|line| dialect.first(line.text).is_some_and(|cell| names_names(&cell)));
-        let mut cells = names.filter_map(|line| columns(line.text, line.number, block, dialect, false));
+        let mut cells =
+            names.filter_map(|line| columns(line.text, line.number, block, counts, dialect, false));
         heading.names = cells.next_back().unwrap_or_default();
     }
-    for line in above {
+    // What stands in the heading of a column is said of that column alone.
+    let of_columns = [&heading.names, &heading.units].map(|cells| cells.first().map_or(0, |cell| cell.line));
+    for line in above.iter().filter(|line| !of_columns.contains(&line.number)) {
         general(line, &mut heading);
     }
     heading
 }
 
 /// Splits a line into one cell for each column, if it can be a heading.
-fn columns(text: &str, line: usize, block: &Block, dialect: Dialect, is_remark: bool) -> Option<Vec<Said>> {
+fn columns(
+    text: &str,
+    line: usize,
+    block: &Block,
+    counts: bool,
+    dialect: Dialect,
+    is_remark: bool,
+) -> Option<Vec<Said>> {
     let mut cells = Vec::new();
     dialect.split(text, &mut cells);
     if dialect.separator == Separator::Blanks {
@@ -90,7 +101,10 @@ fn columns(text: &str, line: usize, block: &Block, dialect: Dialect, is_remark: 
     let mut cells: Vec<Said> = cells.iter().map(|cell| Said { text: cell.to_string(), line }).collect();
     match missing {
         // R leaves the heading of the row names away.
-        1 if block.first.texts > 0 || block.first.first == 0 && about_axis && !names_axis(&cells[0].text) => {
+        1 if block.first.texts > 0
+            || counts
+            || block.first.first == 0 && about_axis && !names_axis(&cells[0].text) =>
+        {
             cells.insert(0, Said { text: String::new(), line });
         }
         0 => {}
@@ -100,6 +114,14 @@ fn columns(text: &str, line: usize, block: &Block, dialect: Dialect, is_remark: 
     }
     cells.resize(block.cells, Said { text: String::new(), line });
     Some(cells)
+}
+
+/// Returns whether the first cells of the rows count 0, 1, .. or 1, 2, ..
+fn counts_rows(lines: &[Line], dialect: Dialect) -> bool {
+    let first = |line: &Line| dialect.first(line.text).and_then(|cell| cell.parse::<u64>().ok());
+    let mut firsts =
+        lines.iter().filter(|line| remark(line.text).is_none() && !line.text.trim().is_empty()).map(first);
+    matches!((firsts.next(), firsts.next()), (Some(Some(a @ (0 | 1))), Some(Some(b))) if b == a + 1)
 }
 
 /// Joins the units of a heading such as `Wavelength (nm) Flux (W/nm)` to the names before them.
