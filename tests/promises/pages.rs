@@ -15,6 +15,7 @@ const PAGES: [&str; 9] = [
     ".github/CONTRIBUTING.md",
     "benches/README.md",
     "examples/cli/README.md",
+    "examples/files/README.md",
     "examples/web/README.md",
     "examples/web/package/README.md",
     "tables/SOURCES.md",

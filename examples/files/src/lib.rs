@@ -1,5 +1,4 @@
-//! Reads spectra from the files that meters, spectrometers, laboratories and spreadsheets write, and says what it
-//! assumed.
+#![doc = include_str!("../README.md")]
 
 mod curves;
 mod grid;

@@ -166,7 +166,7 @@ pub fn all() -> Vec<Layout> {
         },
         Layout {
             names: &[Some("lamp"), Some("other")],
-            notes: &["each row is a spectrum"],
+            notes: &["each row is a spectrum", "axis is in nm"],
             ..one("transposed", {
                 let row = |cell: &dyn Fn(u32) -> String| {
                     (FIRST..=LAST).map(cell).collect::<Vec<_>>().join(",") + "\n"
