@@ -9,7 +9,7 @@ use crate::claims::held::read;
 use crate::claims::sections::ROOT;
 
 /// The pages beside the guides.
-const PAGES: [&str; 9] = [
+const PAGES: [&str; 10] = [
     "README.md",
     "CHANGELOG.md",
     ".github/CONTRIBUTING.md",
