@@ -136,7 +136,8 @@ fn compared(
     }
     let rf = fidelity(total / 99.0);
     let rg = 100.0 * area(&bins, |bin| bin.test) / area(&bins, |bin| bin.reference);
-    if !rf.is_finite() || !rg.is_finite() {
+    // Where a sample has no color, both indices are NaN.
+    if !rg.is_finite() {
         return Err(RenderingError::Unreal);
     }
     Ok(Tm30 {

@@ -163,7 +163,8 @@ impl<const N: usize> Eye<'_, N> {
             )
         };
         let ((x, u), (y, v)) = (at(i, a), at(j, b));
-        let slope = if y > x { (v - u) / (y - x) } else { 0.0 };
+        // A band is no shorter than a bin, so that its edges lie in different ones.
+        let slope = (v - u) / (y - x);
         [-steep, slope + steep * (x + y), u - slope * x - steep * x * y]
     }
 }

@@ -51,9 +51,9 @@ impl<const N: usize, G: Grid, S: RgbSpace, M: StartMap> Sigmoid<N, G, S, M> {
     fn eye(&self) -> Eye<'_, N> {
         Eye {
             rows: &self.rows,
-            to_xyz: self.share_matrix().map(|[x, y, z]| {
-                let white = x + y + z;
-                [x / white, y / white, z / white]
+            to_xyz: self.share_matrix().map(|row| {
+                let white: f32 = row.iter().sum();
+                row.map(|share| share / white)
             }),
         }
     }

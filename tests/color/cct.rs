@@ -67,6 +67,10 @@ fn what_is_no_number_has_no_temperature() {
         let Cct::Near { cct_k, duv } = at(u, v) else { panic!("NaN was hidden: {:?}", at(u, v)) };
         assert!(cct_k.is_nan() && duv.is_nan());
     }
+    for (cct_k, duv) in [(f32::NAN, 0.01), (6500.0, f32::NAN), (f32::INFINITY, 0.0)] {
+        let text = Cct::Near { cct_k, duv }.to_string();
+        assert_eq!(text, "not a color: its chromaticity is not a number");
+    }
     let far = [f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 1e30, -1e30, 1e15, 7.0, -3.0];
     for a in far {
         for b in far {

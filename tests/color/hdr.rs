@@ -117,6 +117,21 @@ fn jzazbz_follows_the_model_and_comes_back() {
     );
 }
 
+/// What is taken off Jz so that black is 0 counts in the dark: here from 1e-7 to 0.1 cd/m2.
+#[test]
+fn jzazbz_of_the_darkest_light_comes_back() {
+    let mut worst = 0.0_f32;
+    for k in 0..=60 {
+        let color = Srgb::WHITE_XYZ.scaled(1e-9 * 10_f32.powf(0.1 * k as f32));
+        let back = color.jzazbz().xyz().expect("a color");
+        for (back, color) in back.to_array().into_iter().zip(color.to_array()) {
+            worst = worst.max((back / color - 1.0).abs());
+        }
+    }
+    println!("XYZ of dark light by way of Jzazbz: {worst}");
+    assert!(worst < 6e-6, "{worst}");
+}
+
 #[test]
 fn black_is_black_and_what_has_no_light_is_none() {
     let black = Xyz::default().jzazbz();

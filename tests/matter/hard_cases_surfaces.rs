@@ -297,11 +297,14 @@ fn as_f64(w: Direction) -> surface::Vector {
     w.to_array().map(f64::from)
 }
 
-/// Roughness 1 to 1e-4, and directions from the normal to grazing, densely where the rules are worst.
+/// Roughness 1 to 1e-4, and directions from the normal to grazing, densely where the rules are worst, and the
+/// worst that searches of the three rules have found: at normal incidence, where a ring of nodes has just
+/// fallen below the horizon.
 fn gloss() -> impl Iterator<Item = (f32, f32)> {
     let cosines = (1..=49).step_by(2).chain([42, 50]).map(|c| (c as f32 / 50.0).powi(2));
     let alphas = (0..=20).chain([25, 30, 40]).map(|a| 10f32.powf(-0.1 * a as f32));
-    alphas.flat_map(move |alpha| cosines.clone().map(move |cosine| (alpha, cosine)))
+    let worst = [0.2246, 0.1689, 0.134].map(|alpha| (alpha, 1.0));
+    alphas.flat_map(move |alpha| cosines.clone().map(move |cosine| (alpha, cosine))).chain(worst)
 }
 
 #[test]

@@ -57,6 +57,14 @@ fn a_bill_is_known_while_compiling() {
     assert_eq!(path.within::<{ 24 * 31 }>().price().effects, Effects::POLARIZATION);
     assert_eq!(path.price().bytes, 124 + 504 + 124 + 504);
     assert_eq!(path.ignoring_polarization().onto(&glass).price().multiply_adds, (4 + 4 + 16 + 1) * 31);
+
+    let natural = sun.polarized();
+    assert_eq!(natural.price(), Price { effects: Effects::POLARIZATION, ..Price::light(31) });
+    assert_eq!((natural.stokes_at(30), natural.stokes_at(31)[0].is_nan()), ([1.0, 0.0, 0.0, 0.0], true));
+    // A dye reads the light in front of it twice: first all of it, for its glow, and then each bin.
+    let dye = Dye::new(&glass, &glass, &sun, 0.5).expect("possible");
+    let dyed = natural.through(&sheet).through(&glass).onto(&dye);
+    assert_eq!(dyed.price().multiply_adds, (2 * (4 + 4) + 3) * 31);
 }
 
 #[test]

@@ -98,6 +98,20 @@ fn a_count_may_be_one_more_than_it_says() {
     }
 }
 
+/// A steady light that counts 64 or more is not sent on from where the first advice sent it.
+#[test]
+fn after_64_counts_and_more_the_first_advice_is_the_last() {
+    let ladder: [Exposure; 10] =
+        std::array::from_fn(|k| Exposure::new(f32::from(1_u16 << k), 50.0, u16::MAX.into()));
+    let auto = AutoExposure::new(&ladder).expect("a ladder");
+    for quarters in 4 * 64..4 * 50_000_u32 {
+        let count = |place: usize| [(quarters << place) as f32 / 4.0].map(f32::floor);
+        let first = auto.advise(0, &count(0)).next;
+        let then = auto.advise(first, &count(first));
+        assert_eq!(then, Advice { next: first, saturated: false }, "{} counts", quarters as f32 / 4.0);
+    }
+}
+
 #[test]
 fn advice_never_leaves_the_ladder() {
     let auto = AutoExposure::new(&as7341::LADDER).expect("a ladder");

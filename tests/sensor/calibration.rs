@@ -176,6 +176,32 @@ fn a_patch_that_alone_tells_something_cannot_be_left_out() {
     assert!(fit.leave_one_out(&BasicCounts::new(counts), target, weight).is_ok());
 }
 
+/// The nearer the other patches are to one color, the more of its result a third one decides. What is left of
+/// the error is then of the size of rounding, and must not be taken for it.
+#[test]
+fn an_error_without_a_patch_is_right_or_refused() {
+    let (mut told, mut refused) = (0, 0);
+    for k in 1..=12 {
+        // Of the first two, 1 and 3 are the exact coefficients, which make 4 of the third patch.
+        let step = 0.5f32.powi(k);
+        let patches =
+            [([1.0, 0.0], [1.0], 1.0), ([1.0, step], [1.0 + 3.0 * step], 1.0), ([1.0; 2], [2.0], 1.0)];
+        match fitted(&patches).leave_one_out(&BasicCounts::new([1.0; 2]), [2.0], 1.0) {
+            Ok([error]) => {
+                println!("{step}: {error} instead of 2");
+                assert!((error - 2.0).abs() < 0.02, "{step}: {error} instead of 2");
+                told += 1;
+            }
+            Err(FitError::IllConditioned { condition }) => {
+                assert!(condition > 8e4, "{step}: {condition}");
+                refused += 1;
+            }
+            Err(error) => panic!("{step}: {error}"),
+        }
+    }
+    assert!(told >= 6 && refused >= 4, "{told} {refused}");
+}
+
 #[test]
 fn too_few_patches_are_too_few_however_often_repeated() {
     assert_eq!(Fit::<8>::new().solve(), Err(FitError::TooFew { patches: 0, needed: 8 }));

@@ -52,6 +52,17 @@ fn every_temperature_is_found_at_every_duv() {
 }
 
 #[test]
+fn black_bodies_beyond_the_ends_of_the_locus_are_too_hot_or_too_cold() {
+    let on = |mired: f64| fixed(planckian(1e6 / mired, C2_CIE).0, 2e9).cct();
+    for k in 1..=94 {
+        let mired = 0.01 * f64::from(k);
+        assert_eq!(on(mired), Some(FixedCct::TooHot), "{mired} mired");
+        let mired = 1000.0 + 0.25 * f64::from(k);
+        assert_eq!(on(mired), Some(FixedCct::TooCold), "{mired} mired");
+    }
+}
+
+#[test]
 fn what_has_no_temperature_gets_the_reason_that_the_floats_give() {
     let mut compared = [0; 4];
     for i in 0..400 {

@@ -246,6 +246,7 @@ fn cross_talk_that_cannot_be_undone_is_refused() {
     // Channels that have changed places, and small ones, are fine.
     assert!(!refused([[0.0, 1.0], [1.0, 0.0]]));
     assert!(!refused([[1e-6, 0.0], [0.0, 1e6]]));
+    assert!(CrosstalkError.to_string().contains("cannot be told apart"));
 }
 
 #[test]

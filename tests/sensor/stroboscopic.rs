@@ -4,6 +4,7 @@
 use model::allowed::check;
 use model::flicker::{svm, threshold};
 use model::noise::Noise;
+use model::search::{Range::Even, worst};
 use nanospectra::math::Fast;
 use nanospectra::sensor::{stroboscopic_visibility, stroboscopic_visibility_with};
 use std::f64::consts::{PI, TAU};
@@ -61,6 +62,28 @@ fn the_measure_follows_the_model() {
     }
     all.tight(6 * 6 * 20);
     fast.tight(6 * 6 * 20);
+}
+
+/// Long runs of slow turns are where the recurrence loses most. The model sees one period, which is enough of
+/// a light that repeats.
+#[test]
+fn a_second_of_readings_is_measured_as_promised() {
+    let ranges = [Even(10.0, 500.0), Even(80.0, 125.0), Even(0.0, 40.0), Even(0.0, 1.0)];
+    worst(1, 40, ranges, |[per_period, hz, fall, phase]| {
+        let (per_period, hz) = (per_period as usize, hz as usize);
+        if per_period * hz > 50_000 {
+            return -1.0;
+        }
+        let light = |turns: f64| (-f64::from(fall) * (turns + f64::from(phase)).fract()).exp();
+        let readings = wave(per_period, hz, light);
+        let period: Vec<f64> = readings[..per_period].iter().map(|v| f64::from(*v)).collect();
+        let rate_hz = (per_period * hz) as f32;
+        let exact = svm(&period, rate_hz.into());
+        // Of light that is nearly steady, only what is seen counts.
+        stroboscopic_visibility(&readings, rate_hz, hz as f32)
+            .map_or(f64::NAN, |found| (f64::from(found) - exact).abs() / exact.max(0.01))
+    })
+    .is_what_is_promised("SVM of a second of readings", 1e-2);
 }
 
 /// A light that is on for 50 readings of 100 has odd parts of 4 / (100 sin(pi m / 100)), which are nearly the

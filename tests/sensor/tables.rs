@@ -120,6 +120,10 @@ fn numbers_are_the_nearest_f32() {
     {
         compare(text.to_string());
     }
+    // Above half way by less than 2^-64, where the nearest below is even.
+    for text in ["190753383897462997e3", "157926440384982732e4", "117453954843016201e6"] {
+        compare(text.to_string());
+    }
     assert_eq!((read("-0"), read("1e-99999999999")), (Some(-0.0), Some(0.0)));
     assert_eq!((read("1e99999999999"), read("3.5e38")), (None, None));
     assert_eq!(read("0.000000000000000000000000000000000000000000000000000000000001e60"), Some(1.0));

@@ -276,6 +276,17 @@ fn grays_are_constant_to_the_bit_black_is_0_and_white_is_1() {
     }
 }
 
+/// The last step of Newton's method leaves more on few bands than on many: 0.0023 of this orange, were it not
+/// looked at.
+#[test]
+fn what_is_exact_on_seven_bands_is_within_what_exact_means() {
+    let viewing: Viewing<7, Nodes<380, 780>> = viewing();
+    let [r, g, b] = [1.0, 0.5, 3.0 / 32.0].map(SrgbTransfer::decode);
+    let solved = Sigmoid::<7, _>::new(&viewing).reflectance(Rgb::new(r, g, b));
+    let off = viewing.delta_e(Rgb::new(r, g, b), &solved.spectrum.on_grid());
+    assert!(solved.status == Status::Exact && off < 0.002, "{off} {solved:?}");
+}
+
 #[test]
 fn the_three_start_maps_lead_to_the_same_colors() {
     fn spectra<M: StartMap>() -> Vec<Reflectance<31, Points>> {

@@ -4,6 +4,7 @@
 //! `UPSAMPLE_FIT=write cargo test --release -p nanospectra --test upsample tables` writes the files instead.
 
 use crate::fit;
+use nanospectra::upsample::{CubicStart, LinearStart, QuinticStart, StartMap};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -50,10 +51,28 @@ fn the_narrow_responses_are_the_narrowest_that_are_not_negative() {
 fn the_start_maps_are_the_best_odd_polynomials() {
     let solved = fit::start::solved(fit::responses::fit());
     assert_eq!(solved.len(), 17 * 17 * 17 - 17);
-    for (name, degree) in [("start_linear", 1), ("start_cubic", 3), ("start_quintic", 5)] {
-        let map: Vec<Vec<f64>> = fit::start::fit(&solved, degree).iter().map(|row| row.to_vec()).collect();
-        hold(name, &map, 1e-6);
-    }
+    let both = |name, degree, start: fn([f32; 3]) -> [f32; 3]| {
+        let map = fit::start::fit(&solved, degree);
+        hold(name, &map.iter().map(|row| row.to_vec()).collect::<Vec<_>>(), 1e-6);
+        // And the library computes them.
+        let mut worst = 0.0f64;
+        for color in &solved {
+            let exact = fit::start::start(color.u, degree, &map);
+            let size = 1.0 + exact.iter().map(|q| q.abs()).sum::<f64>();
+            for (found, exact) in start(color.u.map(|u| u as f32)).into_iter().zip(exact) {
+                worst = worst.max((f64::from(found) - exact).abs() / size);
+            }
+        }
+        println!("{name}: computed within {worst:.1e} of the size of the curve");
+        assert!(worst <= 1e-6, "{name}: {worst}");
+    };
+    both("start_linear", 1, start::<LinearStart>);
+    both("start_cubic", 3, start::<CubicStart>);
+    both("start_quintic", 5, start::<QuinticStart>);
+}
+
+fn start<M: StartMap>(u: [f32; 3]) -> [f32; 3] {
+    M::start(u)
 }
 
 #[test]

@@ -120,7 +120,8 @@ impl<const C: usize, const D: usize> Fit<C, D> {
     /// itself.
     ///
     /// # Errors
-    /// Those that [`solve`](Self::solve) without the patch would have.
+    /// Those that [`solve`](Self::solve) without the patch would have. `IllConditioned` also if the patch
+    /// decides nearly all of its own result, so that rounding alone would move the error by more than 1 %.
     ///
     /// # Cost
     /// A `solve` each time.

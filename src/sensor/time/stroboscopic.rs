@@ -24,8 +24,8 @@ const EXPONENT: f32 = 3.7;
 /// NaN.
 ///
 /// # Accuracy
-/// 4e-5 of the measure, for up to 1000 readings, each period a whole number of them
-/// (`tests/sensor/stroboscopic.rs`).
+/// 4e-5 of the measure, for up to 1000 readings and up to 100 in each period, and 1 % for a second of up to
+/// 50 000 readings; each period is a whole number of them (`tests/sensor/stroboscopic.rs`).
 ///
 /// # Cost
 /// One multiplication for each reading and each multiple of the frequency; nothing is stored. On a Cortex-M4F

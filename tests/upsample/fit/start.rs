@@ -7,7 +7,7 @@ use model::rgb::{RgbSpace, named};
 
 /// A solved color: what was asked, its curve, and how u moves with q there.
 pub struct Solved {
-    u: [f64; 3],
+    pub u: [f64; 3],
     q: [f64; 3],
     slope: Matrix3,
 }
@@ -151,6 +151,12 @@ pub fn fit(solved: &[Solved], degree: u32) -> Vec<[f64; 3]> {
         weights.iter_mut().for_each(|weight| *weight /= mean);
     }
     map
+}
+
+/// Where a map starts for u.
+pub fn start(u: [f64; 3], degree: u32, map: &[[f64; 3]]) -> [f64; 3] {
+    let (features, m) = features(u, &monomials(degree));
+    [0, 1, 2].map(|c| m * features.iter().zip(map).map(|(f, row)| f * row[c]).sum::<f64>())
 }
 
 /// How much of u / m is missing where a map starts.
