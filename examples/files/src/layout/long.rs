@@ -7,16 +7,21 @@ use crate::unit::names_axis;
 /// The fewest samples of a spectrum in a long table.
 const FEWEST: usize = 3;
 
+/// The fewest samples of a spectrum if nothing but the wavelengths says where it begins.
+const FEWEST_AGAIN: usize = 20;
+
 /// Splits a grid such as `lamp, nm, value`, where the same wavelengths come once for each lamp.
 pub fn split(grid: &Grid, notes: &mut Vec<Note>) -> Option<Vec<Grid>> {
     let axis = grid.columns.iter().position(|column| {
-        column.texts == 0 && !column.is_monotone() && column.name.as_deref().is_some_and(names_axis)
+        let is_named = column.labeled || column.name.as_deref().is_some_and(names_axis);
+        column.texts == 0 && !column.is_monotone() && is_named
     })?;
     let wavelengths = &grid.columns[axis].values;
     let candidates = (0..grid.columns.len()).filter(|place| *place != axis);
-    let (label, rows) = candidates
+    let labeled = candidates
         .filter_map(|place| Some((place, groups(&grid.columns[place])?)))
-        .find(|(_, groups)| groups.iter().all(|(_, rows)| is_spectrum(wavelengths, rows)))?;
+        .find(|(_, groups)| groups.iter().all(|(_, rows)| is_spectrum(wavelengths, rows)));
+    let Some((label, rows)) = labeled else { return again(grid, axis, notes) };
     let title = grid.columns[label].title();
     notes.push(Note::assumed(
         format!("{title} says to which of {} spectra a row belongs", rows.len()),
@@ -49,6 +54,39 @@ pub fn split(grid: &Grid, notes: &mut Vec<Note>) -> Option<Vec<Grid>> {
         }
     };
     Some(rows.into_iter().map(one).collect())
+}
+
+/// Splits a grid whose wavelengths begin anew, such as that of a meter that writes steps of 5 nm and then of 1 nm.
+fn again(grid: &Grid, axis: usize, notes: &mut Vec<Note>) -> Option<Vec<Grid>> {
+    let wavelengths = &grid.columns[axis].values;
+    let mut ends: Vec<usize> =
+        (1..wavelengths.len()).filter(|row| wavelengths[*row] <= wavelengths[row - 1]).collect();
+    ends.push(wavelengths.len());
+    let mut from = 0;
+    let mut grids = Vec::new();
+    for end in ends {
+        let rows: Vec<usize> = (from..end).collect();
+        if rows.len() < FEWEST_AGAIN || !is_spectrum(wavelengths, &rows) {
+            return None;
+        }
+        grids.push(Grid {
+            columns: grid
+                .columns
+                .iter()
+                .map(|column| column.with(column.values[from..end].to_vec()))
+                .collect(),
+            lines: grid.lines[from..end].to_vec(),
+            unit: grid.unit.clone(),
+            axis: grid.axis.clone(),
+            ..Grid::default()
+        });
+        from = end;
+    }
+    let line = grids.get(1)?.lines.first()?;
+    let what =
+        format!("the wavelengths begin anew in line {line}, so that there are {} spectra", grids.len());
+    notes.push(Note::assumed(what, Some(Setting::Column)));
+    Some(grids)
 }
 
 /// Returns what the heading of a column says of its unit, since its name gives way to that of a spectrum.

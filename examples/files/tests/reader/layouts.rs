@@ -165,6 +165,14 @@ pub fn all() -> Vec<Layout> {
             )
         },
         Layout {
+            names: &[None, None],
+            notes: &["the wavelengths begin anew"],
+            ..one("twice", {
+                let once = rows("\n", |nm, value| format!("Spectral Data {nm}[nm],{value}"));
+                "Ev,100\n".to_owned() + &once + &once
+            })
+        },
+        Layout {
             names: &[Some("lamp"), Some("other")],
             notes: &["each row is a spectrum", "axis is in nm"],
             ..one("transposed", {
