@@ -1,5 +1,7 @@
 //! Columns of numbers, from whatever kind of file they come.
 
+use std::ops::RangeInclusive;
+
 /// Columns of equal length. Curves are made of them.
 #[derive(Clone, Debug, Default)]
 pub struct Grid {
@@ -12,6 +14,9 @@ pub struct Grid {
     pub axis: Option<Said>,
     /// Whether each column was a row of the file.
     pub transposed: bool,
+    /// Whether the kind of the file says that the first column is the axis and all others are curves, whatever their
+    /// names are.
+    pub is_known: bool,
 }
 
 /// One column.
@@ -26,6 +31,8 @@ pub struct Column {
     pub text: Option<Said>,
     /// How many such cells there are.
     pub texts: usize,
+    /// The lines where the column stands, if they are not those of the grid.
+    pub lines: Option<RangeInclusive<usize>>,
 }
 
 /// A text of the file with its line, counted from 1.

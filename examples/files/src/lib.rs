@@ -2,6 +2,7 @@
 //! assumed.
 
 mod curves;
+mod formats;
 mod grid;
 mod options;
 mod reading;
@@ -15,6 +16,7 @@ pub use reading::{Curve, Fact, Reading};
 pub use refusal::{Kind, Note, Refusal, Setting};
 pub use unit::{AxisUnit, Quantity, Unit};
 
+use formats::Contents;
 use text::encoding::{self, Encoding};
 
 /// Reads the spectra of a file.
@@ -23,16 +25,11 @@ use text::encoding::{self, Encoding};
 /// The file holds no spectrum, or it leaves a question open that only the user can answer; the refusal says which
 /// option does.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Reading, Refusal> {
-    let (text, encoding) = encoding::decode(bytes)?;
-    let mut reading = Reading::default();
-    if encoding == Encoding::Windows1252 {
-        reading.notes.push(Note::assumed("the text is in Windows-1252, because it is not UTF-8", None));
-    }
-    let tables = table::read(&text)?;
-    for grid in &tables.grids {
+    let contents = contents(bytes)?;
+    let mut reading = Reading { facts: contents.facts, notes: contents.notes, ..Reading::default() };
+    for grid in &contents.grids {
         curves::add(grid, options, &mut reading)?;
     }
-    reading.facts = tables.facts;
     if reading.curves.is_empty() {
         return Err(Refusal::of("no column holds a spectrum").settled_by(Setting::Column));
     }
@@ -46,4 +43,21 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Reading, Refusal> {
         });
     }
     Ok(reading)
+}
+
+/// Returns the tables of a file of any kind.
+fn contents(bytes: &[u8]) -> Result<Contents, Refusal> {
+    #[cfg(feature = "xlsx")]
+    if let Some(contents) = formats::xlsx::read(bytes) {
+        return contents;
+    }
+    let (text, encoding) = encoding::decode(bytes)?;
+    let mut contents = match formats::read(&text) {
+        Some(contents) => contents?,
+        None => table::read(&text)?.into(),
+    };
+    if encoding == Encoding::Windows1252 {
+        contents.notes.insert(0, Note::assumed("the text is in Windows-1252, because it is not UTF-8", None));
+    }
+    Ok(contents)
 }

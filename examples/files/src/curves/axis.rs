@@ -71,7 +71,7 @@ fn axis_columns(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result
     if let Some(choice) = &options.axis_column {
         return Ok(vec![chosen(grid, choice)?]);
     }
-    if grid.transposed {
+    if grid.transposed || grid.is_known {
         return Ok(vec![0]);
     }
     let is_named = |column: &Column| {

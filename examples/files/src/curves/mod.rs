@@ -62,7 +62,7 @@ fn curve(
         let what = format!("{title} is '{}', which is not a number; correct it", said.text);
         return Err(Refusal::at(said.line, what).settled_by(Setting::Column));
     }
-    if !wanted && column.counts() {
+    if !wanted && !grid.is_known && column.counts() {
         reading.notes.push(left_out("only counts the rows"));
         return Ok(());
     }

@@ -34,6 +34,7 @@ pub fn curve(
         }
         if FILLS.contains(&value) {
             let what = format!("{title} is {value}, which programs write where nothing was measured");
+            let line = column.lines.as_ref().map_or(line, |lines| *lines.start());
             return Err(Refusal::at(line, what).settled_by(Setting::Missing));
         }
         if at.is_nan() {
@@ -64,7 +65,7 @@ pub fn curve(
         unit,
         are_averages: false,
         axis: axis.unit,
-        lines: first.min(last)..=first.max(last),
+        lines: column.lines.clone().unwrap_or(first.min(last)..=first.max(last)),
         column: (place + 1, grid.columns.len()),
     })
 }
@@ -101,7 +102,8 @@ fn unit(
         .unit
         .as_ref()
         .and_then(|said| Unit::in_heading(&said.text).map(|unit| (unit, said.text.as_str())));
-    let said = said.or_else(|| column.name.as_deref().and_then(|name| Some((Unit::in_heading(name)?, name))));
+    let name = column.name.as_deref().filter(|_| !grid.is_known);
+    let said = said.or_else(|| name.and_then(|name| Some((Unit::in_heading(name)?, name))));
     let label = || {
         grid.columns.iter().filter_map(|column| column.unit.as_ref()).find_map(|said| {
             said.text
