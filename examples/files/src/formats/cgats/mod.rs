@@ -35,9 +35,9 @@ pub fn read(text: &str) -> Result<Contents, Refusal> {
             None => {
                 "the file has no BEGIN_DATA_FORMAT, which names its fields; save or export it again".into()
             }
-            Some(fields) => format!(
+            Some(_) => format!(
                 "the fields are {}, and none is a wavelength such as SPEC_380; export the file with spectral values",
-                listed(&fields.others)
+                listed(&reader.first)
             ),
         };
         return Err(Refusal { line: reader.format_line, ..Refusal::of(what) });
@@ -81,7 +81,9 @@ struct Reader {
     state: State,
     /// The line where the state began.
     begin: usize,
+    /// The line and the fields of the first format.
     format_line: Option<usize>,
+    first: Vec<String>,
     names: Vec<String>,
     fields: Option<Fields>,
     keys: Vec<Key>,
@@ -127,7 +129,9 @@ impl Reader {
         }
         for word in words {
             if word == "END_DATA_FORMAT" {
-                self.format_line = Some(self.begin);
+                if self.format_line.is_none() {
+                    (self.format_line, self.first) = (Some(self.begin), self.names.clone());
+                }
                 self.state = State::Header;
                 self.check_count(line.number)?;
                 self.fields = Some(Fields::of(&self.names));

@@ -1,10 +1,9 @@
 //! Finds the spectra in a tree.
 
 use super::keys::{self, About};
-use super::node::{Node, number};
+use super::node::Node;
 use super::places::{self, Places};
 use crate::formats::contents::{Contents, Spectrum, TWICE, highest, part};
-use crate::formats::too_large;
 use crate::grid::{Column, Said};
 use crate::refusal::{Note, Refusal, Setting};
 use crate::unit::{AxisUnit, Quantity, Unit};
@@ -14,18 +13,15 @@ use std::rc::Rc;
 /// The most levels that are searched.
 const DEEPEST: usize = 12;
 
-/// The most cells of a table of records.
-const MOST_CELLS: usize = 20_000_000;
-
 /// The most notes of arrays that are no spectra.
 const MOST_NOTES: usize = 5;
 
 /// What the parts of the tree above a part say of it.
 #[derive(Clone, Default)]
-struct Context {
-    name: Option<String>,
+pub struct Context {
+    pub name: Option<String>,
     /// Where the part is, such as `spectra[2].values`.
-    path: String,
+    pub path: String,
     unit: Option<String>,
     axis_unit: Option<String>,
     places: Option<Places>,
@@ -36,7 +32,7 @@ pub struct Finder {
     lines: RangeInclusive<usize>,
     contents: Contents,
     /// What was found that is no spectrum.
-    problems: Vec<String>,
+    pub problems: Vec<String>,
 }
 
 impl Context {
@@ -45,7 +41,7 @@ impl Context {
         Context { path, ..self.clone() }
     }
 
-    fn place(&self) -> &str {
+    pub fn place(&self) -> &str {
         if self.path.is_empty() { "the outermost array" } else { &self.path }
     }
 }
@@ -92,7 +88,7 @@ impl Finder {
 
     fn object(&mut self, members: &[(String, Node)], outer: &Context, depth: usize) -> Result<(), Refusal> {
         let mut context = self.stated(members, outer);
-        if self.bins(members, &context) {
+        if self.bins(members, &context) || self.keyed(members, &context)? {
             return Ok(());
         }
         let axis = places::axis(members);
@@ -153,6 +149,7 @@ impl Finder {
             }
             let path = context.at(key).path;
             match node {
+                _ if keys::wavelength(key).is_some() => {}
                 Node::Text(text) => self.contents.fact(*self.lines.start(), &path, text),
                 Node::Number(number) => self.contents.fact(*self.lines.start(), &path, &number.to_string()),
                 _ => {}
@@ -176,26 +173,8 @@ impl Finder {
         }
     }
 
-    /// Reads an object whose keys are wavelengths. Returns whether it is one.
-    fn bins(&mut self, members: &[(String, Node)], context: &Context) -> bool {
-        let mut points: Vec<(f64, f64)> =
-            members.iter().filter_map(|(key, node)| Some((keys::wavelength(key)?, number(node)?))).collect();
-        let is_index = points.first().is_some_and(|point| point.0 <= 1.0)
-            && points.windows(2).all(|pair| pair[1].0 - pair[0].0 == 1.0);
-        if points.len() < 2 || is_index || points.len() * 2 < members.len() {
-            return false;
-        }
-        points.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let named = members.iter().find(|(key, _)| keys::wavelength(key).is_some());
-        let unit = named.map_or("", |(key, _)| key.trim_start_matches(|c: char| !c.is_alphabetic()));
-        let axis = if unit.is_empty() { "wavelength".to_owned() } else { format!("wavelength ({unit})") };
-        let (places, values): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
-        self.add(context, context.name.clone(), "", &axis, places, values);
-        true
-    }
-
     fn array(&mut self, nodes: &[Node], context: &Context, depth: usize) -> Result<(), Refusal> {
-        if self.records(nodes, context)? || self.table(nodes, context)? {
+        if self.records(nodes.iter(), context)? || self.table(nodes, context)? {
             return Ok(());
         }
         for (place, node) in nodes.iter().enumerate() {
@@ -207,54 +186,6 @@ impl Finder {
             self.node(node, &inner, depth + 1)?;
         }
         Ok(())
-    }
-
-    /// Reads records that have one wavelength each. Returns whether there are such.
-    fn records(&mut self, nodes: &[Node], context: &Context) -> Result<bool, Refusal> {
-        let Some(Node::Object(first)) = nodes.first() else { return Ok(false) };
-        let is_axis = |(key, node): &&(String, Node)| keys::is_axis(key) && number(node).is_some();
-        let named = |(key, _): &&(String, Node)| !matches!(key.as_str(), "x" | "w");
-        let axis = first.iter().find(|member| is_axis(member) && named(member));
-        let Some((axis, _)) = axis.or_else(|| first.iter().find(is_axis)) else { return Ok(false) };
-        let mut places = Vec::with_capacity(nodes.len());
-        let mut columns: Vec<(&str, Vec<f64>)> = Vec::new();
-        for (row, node) in nodes.iter().enumerate() {
-            let Node::Object(members) = node else { return Ok(false) };
-            let place = members.iter().find(|(key, _)| key == axis).and_then(|(_, node)| number(node));
-            let Some(place) = place else {
-                let what =
-                    format!("{}[{row}] has no number as its '{axis}', as the others have", context.path);
-                return Err(Refusal::of(what + "; complete it or take it out"));
-            };
-            places.push(place);
-            for (key, node) in members.iter().filter(|(key, _)| key != axis) {
-                let Some(value) = number(node) else { continue };
-                let column = match columns.iter_mut().position(|(name, _)| name == key) {
-                    Some(column) => column,
-                    None if (columns.len() + 1) * nodes.len() > MOST_CELLS => return Err(too_large()),
-                    None => {
-                        columns.push((key, vec![f64::NAN; nodes.len()]));
-                        columns.len() - 1
-                    }
-                };
-                columns[column].1[row] = value;
-            }
-        }
-        columns.retain(|(_, values)| values.iter().any(|value| !value.is_nan()));
-        if columns.is_empty() || places.len() < 2 {
-            self.problems.push(format!("the records of {} have no values beside '{axis}'", context.place()));
-            return Ok(true);
-        }
-        let several = columns.len() > 1;
-        for (key, values) in columns {
-            let name = match &context.name {
-                Some(name) if several => format!("{name} {key}"),
-                Some(name) => name.clone(),
-                None => key.to_owned(),
-            };
-            self.add(context, Some(name), key, axis, places.clone(), values);
-        }
-        Ok(true)
     }
 
     /// Reads rows of numbers of equal length, with or without a row of names above them. Returns whether there are
@@ -350,7 +281,7 @@ impl Finder {
         Ok(())
     }
 
-    fn add(
+    pub fn add(
         &mut self,
         context: &Context,
         name: Option<String>,

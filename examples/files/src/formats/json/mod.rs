@@ -4,6 +4,7 @@ mod find;
 mod keys;
 mod node;
 mod places;
+mod records;
 
 use super::{Contents, too_large};
 use crate::refusal::Refusal;

@@ -6,7 +6,7 @@ fn reading(text: &str) -> Result<Reading, Refusal> {
     read(text.as_bytes(), &Options::default())
 }
 
-const SHAPES: [&str; 23] = [
+const SHAPES: [&str; 26] = [
     r#"{"wavelength": [380, 390, 400], "a": [0.1, 0.2, 0.3]}"#,
     r#"{"wavelengths": ["380", "390", "400"], "a": ["0.1", "0,2", "0.3"]}"#,
     r#"{"name": "a", "x": [380, 390, 400], "y": [0.1, 0.2, 0.3]}"#,
@@ -16,6 +16,9 @@ const SHAPES: [&str; 23] = [
     r#"{"a": [[380, 0.1], [390, 0.2], [400, 0.3]]}"#,
     r#"[["nm", "a"], [380, 0.1], [390, 0.2], [400, 0.3]]"#,
     r#"{"a": [[380, 390, 400], [0.1, 0.2, 0.3]]}"#,
+    r#"{"380": {"a": 0.1}, "390": {"a": 0.2}, "400": {"a": 0.3}}"#,
+    r#"{"a": {"380": [0.1], "390": [0.2], "400": [0.3]}}"#,
+    r#"{"0": {"nm": 380, "a": 0.1}, "1": {"nm": 390, "a": 0.2}, "2": {"nm": 400, "a": 0.3}}"#,
     r#"{"a": {"380": 0.1, "390": 0.2, "400": 0.3}}"#,
     r#"{"name": "a", "390nm": 0.2, "380nm": 0.1, "400nm": 0.3}"#,
     r#"{"spectra": [{"name": "a", "unit": "W/m2/nm", "wavelengths": [380, 390, 400], "values": [0.1, 0.2, 0.3]}]}"#,
@@ -51,6 +54,8 @@ fn several_spectra_have_their_names() {
         (r#"[{"nm": 380, "a": 1, "b": 3}, {"nm": 390, "a": 2, "b": 4}]"#, ["a", "b"]),
         (r#"[["nm", "a", "b"], [380, 1, 3], [390, 2, 4], [400, 2, 5]]"#, ["a", "b"]),
         (r#"{"a": {"nm": [380, 390], "v": [1, 2]}, "b": {"nm": [400, 410], "v": [1, 2]}}"#, ["a", "b"]),
+        (r#"{"380": {"a": 1, "b": 2}, "390": {"a": 3, "b": 4}}"#, ["a", "b"]),
+        (r#"{"380": [1, 2], "390": [3, 4]}"#, ["1", "2"]),
         (r#"{"nm": [380, 390], "lamps": [[1, 2], [3, 4]]}"#, ["lamps 1", "lamps 2"]),
         (r#"{"name": "L", "nm": [380, 390], "dark": [1, 2], "light": [3, 4]}"#, ["L dark", "L light"]),
         (r#"[[[380, 1], [390, 2]], [[380, 1], [390, 3]]]"#, ["spectrum 1", "spectrum 2"]),
@@ -109,6 +114,7 @@ fn what_is_no_spectrum_is_refused_with_its_place() {
             .contains("spectra[0].values has 2")
     );
     assert!(what("[0.1, 0.2, 0.3]").contains("no wavelengths"));
+    assert!(what(r#"{"0": {"r": 1, "u": 2}, "1": {"r": 2, "u": 3}}"#).contains("no spectrum"));
     assert!(what("{}").contains("no spectrum"));
     assert!(what(r#"[{"nm": 380, "v": 1}, {"v": 2}]"#).contains("[1]"));
     assert!(what(r#"{"start": 380, "end": 400, "step": 5, "values": [1, 2, 3]}"#).contains("steps of 5"));
