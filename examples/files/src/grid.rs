@@ -1,5 +1,7 @@
 //! Columns of numbers, from whatever kind of file they come.
 
+use std::ops::RangeInclusive;
+
 /// Columns of equal length. Curves are made of them.
 #[derive(Clone, Debug, Default)]
 pub struct Grid {
@@ -14,6 +16,9 @@ pub struct Grid {
     pub transposed: bool,
     /// The edges of the bands over which the values are averages, in the unit of the axis: one more than rows.
     pub edges: Option<Vec<f64>>,
+    /// Whether the kind of the file says that the first column is the axis and all others are curves, whatever their
+    /// names are.
+    pub is_known: bool,
 }
 
 /// One column.
@@ -38,6 +43,8 @@ pub struct Column {
     pub place: usize,
     /// Its line in the file, if it is a row.
     pub line: Option<usize>,
+    /// The lines where the column stands, if they are not those of the grid.
+    pub lines: Option<RangeInclusive<usize>>,
 }
 
 /// The words of a column.
@@ -101,6 +108,7 @@ impl Column {
             words: Words::default(),
             place: self.place,
             line: self.line,
+            lines: self.lines.clone(),
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::grid::quoted;
 use crate::refusal::Note;
 use crate::unit::{AxisUnit, Unit};
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// The curves of a file, and how they were understood.
@@ -36,10 +37,21 @@ pub struct Curve {
     pub edges: Option<Vec<f64>>,
     /// The unit of the axis in the file.
     pub axis: AxisUnit,
-    /// Which column of the file it is, counted from 1, or which row if each row is a spectrum, and of how many.
+    /// Which part of the file it is, counted from 1, and of how many.
     pub place: (usize, usize),
-    /// Whether it is a row of the file.
-    pub is_row: bool,
+    /// What the part is.
+    pub part: Part,
+}
+
+/// A part of a file that holds one spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A column of a table.
+    Column,
+    /// A row of a table.
+    Row,
+    /// A spectrum of a file that names its spectra.
+    Spectrum,
 }
 
 /// Who says what something is.
@@ -55,20 +67,31 @@ pub enum By {
 }
 
 impl Curve {
+    /// Returns the first and the last line where it stands, or 0 if the file has no lines.
+    #[must_use]
+    pub fn line_range(&self) -> RangeInclusive<usize> {
+        let first = self.lines.iter().min().copied().unwrap_or(0);
+        let last = self.lines.iter().max().copied().unwrap_or(0);
+        first..=last
+    }
+
     /// Returns where it was read and what its values are, as `lines 44..444, column 3 of 5, mW/m2/nm by
     /// 'Irradiance (mW/m2/nm)'`.
     #[must_use]
     pub fn origin(&self) -> String {
         let mut origin = String::new();
-        let first = self.lines.iter().min().copied().unwrap_or(0);
-        let last = self.lines.iter().max().copied().unwrap_or(0);
+        let (first, last) = self.line_range().into_inner();
         if first == last && first > 0 {
             origin += &format!("line {first}, ");
         } else if first > 0 {
             origin += &format!("lines {first}..{last}, ");
         }
-        let kind = if self.is_row { "row" } else { "column" };
-        origin += &format!("{kind} {} of {}, ", self.place.0, self.place.1);
+        let part = match self.part {
+            Part::Column => "column",
+            Part::Row => "row",
+            Part::Spectrum => "spectrum",
+        };
+        origin += &format!("{part} {} of {}, ", self.place.0, self.place.1);
         if self.axis != AxisUnit::Nanometer {
             origin += &format!("axis in {}, ", self.axis.sign());
         }

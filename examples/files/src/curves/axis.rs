@@ -34,7 +34,7 @@ fn axis_columns(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result
         let found = choice::in_grid(grid, choice);
         return found.map(|place| vec![place]).ok_or_else(|| choice::unknown(&[grid], choice));
     }
-    if grid.transposed || grid.edges.is_some() {
+    if grid.transposed || grid.is_known || grid.edges.is_some() {
         return Ok(vec![0]);
     }
     let is_named = |column: &Column| {

@@ -9,11 +9,14 @@ use crate::options::Options;
 use crate::reading::Reading;
 use crate::refusal::{Note, Refusal, Setting};
 use axis::Axis;
-use std::sync::Arc;
+use values::Context;
 
 /// Adds the curves of grids to a reading.
 pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(), Refusal> {
     let chosen = choice::of(grids, &options.columns)?;
+    let is_alone = grids.iter().map(|grid| grid.columns.len()).sum::<usize>() <= grids.len() + 1;
+    let last = |grid: &Grid| grid.columns.iter().map(|column| column.place).max().unwrap_or(1);
+    let last_known = grids.iter().filter(|grid| grid.is_known).map(last).max().unwrap_or(1);
     for (grid, chosen) in grids.iter().zip(chosen) {
         if chosen.is_empty() && !options.columns.is_empty() {
             continue;
@@ -28,12 +31,16 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
             let what = format!("each row is a spectrum, and line {line} has the wavelengths");
             reading.notes.push(Note::assumed(what, None));
         }
-        let lines: Arc<[usize]> = grid.lines.as_slice().into();
+        let context = Context {
+            lines: grid.lines.as_slice().into(),
+            last: if grid.is_known { last_known } else { last(grid) },
+            labels: grid.columns.iter().find(|column| column.labeled).and_then(|column| column.unit.as_ref()),
+        };
         for axis in &axes {
             for &place in &axis.values {
                 if chosen.is_empty() || chosen.contains(&place) {
-                    let wanted = !chosen.is_empty() || all_dark;
-                    curve(grid, axis, place, &lines, wanted, options, reading)?;
+                    let wanted = !chosen.is_empty() || all_dark || is_alone;
+                    curve(grid, axis, place, &context, wanted, options, reading)?;
                 }
             }
         }
@@ -46,7 +53,7 @@ fn curve(
     grid: &Grid,
     axis: &Axis,
     place: usize,
-    lines: &Arc<[usize]>,
+    context: &Context,
     wanted: bool,
     options: &Options,
     reading: &mut Reading,
@@ -71,7 +78,7 @@ fn curve(
         let what = format!("{title} is {}, which is not a number; correct it", quoted(&said.text));
         return Err(Refusal::at(said.line, what).settled_by(Setting::Column));
     }
-    if !wanted && place < axis.column && column.counts() {
+    if !wanted && !grid.is_known && place < axis.column && column.counts() {
         reading.notes.push(left_out("only counts the rows"));
         return Ok(());
     }
@@ -79,7 +86,13 @@ fn curve(
         reading.notes.push(left_out("is zero everywhere"));
         return Ok(());
     }
-    let curve = values::curve(grid, axis, place, &title, lines, options, &mut reading.notes)?;
-    reading.curves.push(curve);
+    match values::curve(grid, axis, place, context, options, &mut reading.notes) {
+        Ok(curve) => reading.curves.push(curve),
+        // Of many spectra that have names of their own, one that is damaged spoils no other.
+        Err(refusal) if !wanted && grid.is_known && refusal.setting.is_none() => {
+            reading.notes.push(Note::left_out(refusal.to_string()));
+        }
+        Err(refusal) => return Err(refusal),
+    }
     Ok(())
 }

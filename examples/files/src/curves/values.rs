@@ -1,9 +1,9 @@
 //! Brings the values of a column to the unit of their quantity and to increasing wavelengths.
 
 use super::axis::Axis;
-use crate::grid::{Column, Grid, quoted};
+use crate::grid::{Column, Grid, Said, quoted};
 use crate::options::Options;
-use crate::reading::{By, Curve};
+use crate::reading::{By, Curve, Part};
 use crate::refusal::{Note, Refusal, Setting};
 use crate::unit::{AxisUnit, Quantity, Unit, brackets};
 use std::sync::Arc;
@@ -11,26 +11,37 @@ use std::sync::Arc;
 /// Numbers that programs write where nothing was measured.
 const FILLS: [f64; 7] = [-999.0, -9999.0, -99_999.0, -1.23e34, 1e31, 9.969_209_968_386_87e36, 1e30];
 
+/// What all curves of a grid share.
+pub struct Context<'a> {
+    /// The lines of the rows.
+    pub lines: Arc<[usize]>,
+    /// The last place of a column.
+    pub last: usize,
+    /// The words that the cells of the axis have, which hold for all columns.
+    pub labels: Option<&'a Said>,
+}
+
 /// Returns the curve of a column, which has at least one value.
 pub fn curve(
     grid: &Grid,
     axis: &Axis,
     place: usize,
-    title: &str,
-    shared: &Arc<[usize]>,
+    context: &Context,
     options: &Options,
     notes: &mut Vec<Note>,
 ) -> Result<Curve, Refusal> {
+    let title = &grid.columns[place].title();
     let column = &grid.columns[place];
-    let (unit, unit_by) = unit(column, grid, title, options)?;
-    if unit.is_none() {
+    let (unit, unit_by) = unit(column, grid, context, title, options)?;
+    if unit.is_none() && !grid.is_known {
         unknown_unit(column, notes);
     }
     let places = &grid.columns[axis.column].values;
     let mut samples: Vec<(f64, f64)> = Vec::with_capacity(places.len());
     let mut kept: Vec<usize> = Vec::with_capacity(places.len());
     let (mut missing, mut dark) = (0, 0);
-    for ((&at, &value), &line) in places.iter().zip(&column.values).zip(&grid.lines) {
+    for (row, (&at, &value)) in places.iter().zip(&column.values).enumerate() {
+        let line = line_of(column, grid, row);
         if at.is_nan() && value.is_nan() {
             continue;
         }
@@ -53,7 +64,7 @@ pub fn curve(
             continue;
         }
         samples.push((nm, value));
-        kept.push(column.line.unwrap_or(line));
+        kept.push(line);
     }
     if missing > 0 {
         let gaps = format!("{title} has no value in {missing} of {} rows", places.len());
@@ -70,7 +81,7 @@ pub fn curve(
     }
     let convert = |(nm, value): &(f64, f64)| unit.map_or(*value, |unit| unit.convert(*value, *nm));
     // Most curves of a table have all of its lines.
-    let lines = if *kept == **shared { Arc::clone(shared) } else { kept.into() };
+    let lines = if kept[..] == context.lines[..] { Arc::clone(&context.lines) } else { kept.into() };
     let edges = edges(grid, axis, &samples, missing + dark, title, notes)?;
     Ok(Curve {
         name: column.name.clone().filter(|name| !is_unit(name)),
@@ -81,8 +92,12 @@ pub fn curve(
         unit_by,
         edges,
         axis: axis.unit,
-        place: (column.place, grid.columns.iter().map(|column| column.place).max().unwrap_or(1)),
-        is_row: column.line.is_some(),
+        place: (column.place, context.last),
+        part: match column.line {
+            _ if grid.is_known => Part::Spectrum,
+            Some(_) => Part::Row,
+            None => Part::Column,
+        },
     })
 }
 
@@ -128,6 +143,18 @@ fn half_way(samples: &[(f64, f64)]) -> Vec<f64> {
     edges
 }
 
+/// Returns the line of a row. A spectrum that has lines of its own is spread over them evenly.
+fn line_of(column: &Column, grid: &Grid, row: usize) -> usize {
+    match (&column.lines, column.line) {
+        (Some(lines), _) => {
+            let last = column.values.len().saturating_sub(1).max(1);
+            lines.start() + (lines.end() - lines.start()) * row / last
+        }
+        (None, Some(line)) => line,
+        (None, None) => grid.lines.get(row).copied().unwrap_or(0),
+    }
+}
+
 /// Brings the samples and their lines to increasing wavelengths.
 fn order(samples: &mut [(f64, f64)], lines: &mut [usize], title: &str) -> Result<(), Refusal> {
     if samples.len() < 2 {
@@ -151,8 +178,14 @@ fn order(samples: &mut [(f64, f64)], lines: &mut [usize], title: &str) -> Result
 }
 
 /// Returns what the values are and who says so: the user, or the file.
-fn unit(column: &Column, grid: &Grid, title: &str, options: &Options) -> Result<(Option<Unit>, By), Refusal> {
-    let said = stated(column, grid);
+fn unit(
+    column: &Column,
+    grid: &Grid,
+    context: &Context,
+    title: &str,
+    options: &Options,
+) -> Result<(Option<Unit>, By), Refusal> {
+    let said = stated(column, grid, context);
     if options.unit.is_none() && (options.percent || options.is_ratio) {
         return share(said, title, options.percent);
     }
@@ -196,12 +229,12 @@ fn share(said: Option<(Unit, &str)>, title: &str, percent: bool) -> Result<(Opti
 }
 
 /// Returns what the file says of a column, with its words.
-fn stated<'a>(column: &'a Column, grid: &'a Grid) -> Option<(Unit, &'a str)> {
-    let labels = grid.columns.iter().find(|column| column.labeled).and_then(|column| column.unit.as_ref());
+fn stated<'a>(column: &'a Column, grid: &'a Grid, context: &Context<'a>) -> Option<(Unit, &'a str)> {
     let texts = [
         column.unit.as_ref().map(|said| said.text.as_str()),
-        column.name.as_deref(),
-        labels.map(|said| said.text.as_str()),
+        // A name such as `D50, 300% U.V.` is no heading.
+        column.name.as_deref().filter(|_| !grid.is_known),
+        context.labels.map(|said| said.text.as_str()),
         grid.unit.as_ref().map(|said| said.text.as_str()),
     ];
     texts.into_iter().flatten().find_map(|text| Some((Unit::in_heading(text)?, text)))

@@ -9,7 +9,7 @@ use crate::refusal::Note;
 
 /// Returns grids that have one axis each, and says what was assumed.
 pub fn arrange(grid: Grid, notes: &mut Vec<Note>) -> Vec<Grid> {
-    if grid.transposed {
+    if grid.transposed || grid.is_known {
         return vec![grid];
     }
     match folded::unfold(&grid, notes).or_else(|| bands::join(&grid, notes)) {
