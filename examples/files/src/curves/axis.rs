@@ -14,6 +14,12 @@ pub struct Axis {
     pub values: Vec<usize>,
 }
 
+/// The highest first wavelength, in nm, of what is taken for nm.
+const HIGHEST_FIRST: f64 = 1500.0;
+
+/// The fewest rows of which a column beside another one is taken for the axis.
+const FEWEST: usize = 4;
+
 /// Finds the axes of a grid, and says what was assumed.
 pub fn find(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result<Vec<Axis>, Refusal> {
     let columns = axis_columns(grid, options, notes)?;
@@ -67,7 +73,12 @@ fn axis_columns(grid: &Grid, options: &Options, notes: &mut Vec<Note>) -> Result
         }
         return Ok(own);
     }
-    match rising.iter().find(|place| is_likely(&columns[**place])) {
+    // A column of another name holds something else.
+    let may_be_axis = |place: &&usize| {
+        let column = &columns[**place];
+        is_likely(column) && column.name.is_none() && column.values.len() >= FEWEST
+    };
+    match rising.iter().find(may_be_axis) {
         Some(&place) => {
             notes.push(Note::assumed(
                 format!(
@@ -111,8 +122,11 @@ fn is_empty(column: &Column) -> bool {
     column.missing() == column.values.len()
 }
 
+/// Returns whether the numbers are wavelengths in nm rather than anything else. Those in angstrom begin higher.
 fn is_likely(column: &Column) -> bool {
-    column.values.iter().all(|value| value.is_nan() || LIKELY.contains(value)) && !column.counts()
+    let low = column.values.iter().copied().fold(f64::INFINITY, f64::min);
+    let fits = column.values.iter().all(|value| value.is_nan() || LIKELY.contains(value));
+    fits && low <= HIGHEST_FIRST && !column.counts()
 }
 
 /// Returns the unit of an axis: what the user says, what the file says, or nm if the numbers allow nothing else.

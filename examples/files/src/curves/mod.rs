@@ -17,11 +17,22 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
     let is_alone = grids.iter().map(|grid| grid.columns.len()).sum::<usize>() <= grids.len() + 1;
     let last = |grid: &Grid| grid.columns.iter().map(|column| column.place).max().unwrap_or(1);
     let last_known = grids.iter().filter(|grid| grid.is_known).map(last).max().unwrap_or(1);
+    let mut refusals: Vec<(usize, Refusal)> = Vec::new();
     for (grid, chosen) in grids.iter().zip(chosen) {
         if chosen.is_empty() && !options.columns.is_empty() {
             continue;
         }
-        let axes = axis::find(grid, options, &mut reading.notes)?;
+        let known = reading.notes.len();
+        let axes = match axis::find(grid, options, &mut reading.notes) {
+            Ok(axes) => axes,
+            // Another table of the file may hold the spectrum.
+            Err(refusal) if grids.len() > 1 && chosen.is_empty() => {
+                reading.notes.truncate(known);
+                refusals.push((grid.lines.len() * grid.columns.len(), refusal));
+                continue;
+            }
+            Err(refusal) => return Err(refusal),
+        };
         // What is zero everywhere is a channel that is off, unless it is all there is.
         let is_dark =
             |place: &usize| grid.columns[*place].values.iter().all(|value| *value == 0.0 || value.is_nan());
@@ -44,6 +55,17 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
                 }
             }
         }
+    }
+    if reading.curves.is_empty() {
+        // The reason of the largest table is the one that matters.
+        return refusals
+            .into_iter()
+            .max_by_key(|(size, _)| *size)
+            .map_or(Ok(()), |(_, refusal)| Err(refusal));
+    }
+    for (_, Refusal { line, what, .. }) in refusals {
+        let line = line.map_or(String::new(), |line| format!(" in line {line}"));
+        reading.notes.push(Note::left_out(format!("the table{line}, because {what}")));
     }
     Ok(())
 }
@@ -78,9 +100,17 @@ fn curve(
         let what = format!("{title} is {}, which is not a number; correct it", quoted(&said.text));
         return Err(Refusal::at(said.line, what).settled_by(Setting::Column));
     }
-    if !wanted && !grid.is_known && place < axis.column && column.counts() {
-        reading.notes.push(left_out("only counts the rows"));
-        return Ok(());
+    if !wanted && !grid.is_known && place < axis.column {
+        let is_same = column.values.windows(2).all(|pair| pair[0] == pair[1]);
+        let what = if column.counts() {
+            Some("only counts the rows")
+        } else {
+            Some("is the same everywhere").filter(|_| is_same)
+        };
+        if let Some(what) = what {
+            reading.notes.push(left_out(what));
+            return Ok(());
+        }
     }
     if !wanted && column.values.iter().all(|value| *value == 0.0 || value.is_nan()) {
         reading.notes.push(left_out("is zero everywhere"));

@@ -3,6 +3,8 @@
 use super::dialect::{Dialect, Shape};
 use crate::refusal::Refusal;
 use crate::text::lines::Line;
+use crate::text::number::number;
+use crate::unit::names_axis;
 use std::ops::Range;
 
 /// Lines that belong to one table: rows of numbers, with comments and empty lines between them.
@@ -55,6 +57,7 @@ pub fn find(lines: &[Line], dialect: Dialect) -> Result<Vec<Block>, Refusal> {
         ));
     };
     check_gaps(lines, &blocks, longest)?;
+    blocks.iter_mut().for_each(|block| block.give_heading_back(lines, dialect));
     blocks.retain(|block| block.rows * block.cells == longest || block.rows >= FEWEST);
     Ok(blocks)
 }
@@ -85,6 +88,22 @@ fn starts_with_number(line: &str) -> bool {
 }
 
 impl Block {
+    /// Takes the first line out of the block if it is a heading whose names are numbers: `wavelength,1,2,3`.
+    fn give_heading_back(&mut self, lines: &[Line], dialect: Dialect) {
+        let rows = lines[self.lines.clone()].iter().enumerate();
+        let mut rows = rows.filter(|(_, line)| !is_comment(line.text) && !line.text.trim().is_empty());
+        let (Some((_, first)), Some((second, row))) = (rows.next(), rows.next()) else { return };
+        let is_heading = dialect.first(first.text).is_some_and(|cell| names_axis(&cell));
+        let starts = dialect.first(row.text).is_some_and(|cell| number(&cell, dialect.decimal).is_some());
+        if is_heading && starts {
+            let mut cells = Vec::new();
+            dialect.split(row.text, &mut cells);
+            self.first = dialect.shape(&cells);
+            self.lines.start += second;
+            self.rows -= 1;
+        }
+    }
+
     /// Returns whether a line of this shape is a row of the block.
     fn continues(&self, shape: &Shape) -> bool {
         if self.first.labeled || shape.labeled {

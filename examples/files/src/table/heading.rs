@@ -22,6 +22,9 @@ pub struct Heading {
     pub axis: Option<Said>,
 }
 
+/// What begins the lines that say what was measured.
+const KINDS: [&str; 5] = ["technique", "mode", "measurement", "data type", "spectrum type"];
+
 /// How far above a table its heading may stand, with empty lines between.
 const REACH: usize = 4;
 
@@ -174,6 +177,12 @@ fn general(line: &Line, heading: &mut Heading) {
         } else if Unit::in_heading(value).is_some() {
             heading.unit = heading.unit.take().or_else(said);
         }
+    } else if KINDS.iter().any(|word| low.starts_with(word)) {
+        // `Technique, Absorbance` says what all values are.
+        let value = text.split_once(['=', ':', ',', ';', '\t']).map_or("", |(_, value)| value);
+        if Unit::parse(value.trim_matches([' ', ',', ';', '"'])).is_some_and(|unit| unit.is_ratio()) {
+            heading.unit = heading.unit.take().or_else(said);
+        }
     } else if Unit::in_heading(text).is_some_and(|unit| unit.per.is_some()) {
         heading.unit = heading.unit.take().or_else(said);
     }
@@ -190,7 +199,8 @@ pub fn facts(lines: &[Line]) -> Vec<Fact> {
         };
         let (name, value) =
             (name.trim_matches([' ', '"', ':']), value.trim_matches([' ', '"', ',', ';', '\t']));
-        if !name.is_empty() && !value.is_empty() && name.len() <= 60 && value.len() <= 200 {
+        let is_name = name.contains(char::is_alphabetic);
+        if is_name && !value.is_empty() && name.len() <= 60 && value.len() <= 200 {
             facts.push(Fact { line: line.number, name: name.to_owned(), value: value.to_owned() });
         }
     }

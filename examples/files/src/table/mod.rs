@@ -52,7 +52,7 @@ fn columns(lines: &[Line], block: &Block, heading: Heading, dialect: Dialect) ->
     let mut columns = vec![Column::default(); block.cells];
     for (column, said) in columns.iter_mut().zip(heading.names) {
         column.heading = said.line;
-        column.name = Some(said.text).filter(|text| !text.is_empty());
+        column.name = Some(said.text).filter(|text| cell(text, dialect.decimal) != Cell::Missing);
     }
     for (place, column) in columns.iter_mut().enumerate() {
         column.place = place + 1;

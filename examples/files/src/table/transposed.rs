@@ -114,5 +114,10 @@ fn is_axis(numbers: &[Option<(f64, &str, &str)>]) -> bool {
     let ordered = |pair: &[(f64, &str, &str)]| (pair[1].0 - pair[0].0) * step > 0.0;
     // Numbers that count 1, 2, 3, .. are places.
     let places = axis[0].0 <= 1.0 && step == 1.0;
+    // Numbers without a word must be wavelengths in nm, or in um.
+    let likely = |number: &(f64, &str, &str)| LIKELY.contains(&number.0) || (0.12..=4.5).contains(&number.0);
+    if !labeled && !axis.iter().all(likely) {
+        return false;
+    }
     step != 0.0 && !places && axis.windows(2).all(|pair| if labeled { ordered(pair) } else { equal(pair) })
 }

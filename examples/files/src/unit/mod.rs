@@ -10,5 +10,5 @@ pub use value::{Quantity, Unit};
 pub(crate) use words::{brackets, plain};
 
 /// The wavelengths in nm that are taken for such if nothing is said: from the shortest ultraviolet of
-/// spectrometers to the end of their near infrared.
-pub(crate) const LIKELY: std::ops::RangeInclusive<f64> = 120.0..=3500.0;
+/// spectrometers to the end of solar tables.
+pub(crate) const LIKELY: std::ops::RangeInclusive<f64> = 120.0..=4500.0;

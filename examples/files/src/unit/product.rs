@@ -115,7 +115,11 @@ impl Product {
             "thz" => (1.0, &mut self.terahertz),
             "ev" => (1.0, &mut self.electronvolt),
             "hz" if power == -1 => (1e-12, &mut self.terahertz),
-            "m" | "meter" | "metre" | "sqm" if power % 2 == 0 => (1.0, &mut self.meter),
+            "m" | "meter" | "metre" if power % 2 == 0 => (1.0, &mut self.meter),
+            "sqm" => {
+                self.meter += 2 * power;
+                return Some(());
+            }
             // W/m3 is W/m2 per meter of wavelength.
             "m" if power == -3 => {
                 self.factor *= 1e-9;

@@ -101,8 +101,8 @@ impl Unit {
             "absolute" => Unit::of(Quantity::Irradiance, 1.0),
             "counts" | "count" | "cts" | "dn" | "adu" | "digital counts" => Unit::of(Quantity::Counts, 1.0),
             "absorbance" | "abs" | "a" | "od" | "optical density" => Unit::of(Quantity::Absorbance, 1.0),
-            "reflectance" => Unit::of(Quantity::Reflectance, 1.0),
-            "transmittance" => Unit::of(Quantity::Transmittance, 1.0),
+            "reflectance" | "reflection" => Unit::of(Quantity::Reflectance, 1.0),
+            "transmittance" | "transmission" => Unit::of(Quantity::Transmittance, 1.0),
             _ => return Self::of_product(product::parse(&text)?),
         })
     }
@@ -242,6 +242,7 @@ mod tests {
             ("W·m⁻²·nm⁻¹", Quantity::Irradiance, 1.0, false),
             ("W/(m²·nm)", Quantity::Irradiance, 1.0, false),
             ("W/m2-nm", Quantity::Irradiance, 1.0, false),
+            ("W/(sqm*nm)", Quantity::Irradiance, 1.0, false),
             ("mW/m^2/nm", Quantity::Irradiance, 1e-3, false),
             ("µWatt/cm²/nm", Quantity::Irradiance, 0.01, false),
             ("uW/cm2/nm", Quantity::Irradiance, 0.01, false),

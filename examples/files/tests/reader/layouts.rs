@@ -165,6 +165,21 @@ pub fn all() -> Vec<Layout> {
             )
         },
         Layout {
+            names: &[Some("1"), Some("2")],
+            notes: &["axis is in nm"],
+            ..one(
+                "numbers for names",
+                heading("wavelength,1,2\n") + &rows("\n", |nm, value| format!("{nm},{value},{value}")),
+            )
+        },
+        Layout {
+            notes: &["is the same everywhere"],
+            ..one(
+                "a constant before the axis",
+                heading("id,nm,lamp\n") + &rows("\n", |nm, value| format!("157,{nm},{value}")),
+            )
+        },
+        Layout {
             names: &[None, None],
             notes: &["the wavelengths begin anew"],
             ..one("twice", {
