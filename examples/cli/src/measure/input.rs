@@ -13,6 +13,9 @@ use std::sync::Arc;
 /// The CIE reference spectrum L41, a measured phosphor-converted white LED, whose header names the source.
 const LAMP: &str = include_str!("../../data/l41_white_led.csv");
 
+/// How many of the names and values that a file has beside its spectra are kept.
+const MOST_STATED: usize = 200;
+
 /// The spectra of a file, each of which is made when it is its turn.
 pub type Sources = Box<dyn ExactSizeIterator<Item = Source>>;
 
@@ -50,6 +53,8 @@ fn sources(path: &Path, args: &Args, options: &Options) -> Result<Sources, Failu
     let (name, file): (String, Rc<str>) = (stem(&file), file.into());
     let several = reading.curves.len() > 1;
     let notes: Rc<[String]> = reading.notes.iter().map(said).collect();
+    let stated: Rc<[(String, String)]> =
+        reading.facts.into_iter().take(MOST_STATED).map(|fact| (fact.name, fact.value)).collect();
     Ok(Box::new(reading.curves.into_iter().enumerate().map(move |(k, curve)| {
         let origin = curve.origin();
         let Curve { wavelengths, values, lines, edges, unit, name: own, .. } = curve;
@@ -59,6 +64,7 @@ fn sources(path: &Path, args: &Args, options: &Options) -> Result<Sources, Failu
             origin: Some(origin),
             kind: Kind::of(unit.unwrap_or(Unit::RELATIVE)),
             notes: Rc::clone(&notes),
+            stated: Rc::clone(&stated),
             lines,
             edges,
             samples: wavelengths.into_iter().zip(values).collect(),
@@ -84,6 +90,7 @@ fn strict(file: &str, stem: &str, text: &str, args: &Args) -> Result<Sources, Fa
         origin: None,
         kind,
         notes: Rc::new([]),
+        stated: Rc::new([]),
         lines: Arc::clone(&lines),
         edges: edges.clone(),
         samples: table.wavelengths.iter().copied().zip(column.values).collect(),

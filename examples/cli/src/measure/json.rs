@@ -35,6 +35,7 @@ pub fn object(bench: &Bench, reading: &Reading) -> Value {
         "unit": reading.kind.unit(),
         "file": &*reading.file,
         "read": reading.origin,
+        "stated": stated(reading),
         "cri_r9": reading.cri_r.map(|r| single(r[8])),
         "cri_is_valid": reading.cri_is_valid,
         "tm30_edition": "ANSI/IES TM-30-20",
@@ -51,6 +52,11 @@ pub fn object(bench: &Bench, reading: &Reading) -> Value {
         return with_comparison(object, comparison);
     }
     object
+}
+
+/// Returns what the file says beside its spectra. Of lines with the same name the last one counts.
+fn stated(reading: &Reading) -> Value {
+    Value::Object(reading.stated.iter().map(|(name, value)| (name.clone(), json!(value))).collect())
 }
 
 /// Adds how strong a light is, and where its power is.

@@ -43,6 +43,8 @@ pub struct Source {
     pub kind: Kind,
     /// What was stated, assumed and left out.
     pub notes: Rc<[String]>,
+    /// What the file says beside its spectra, as names with their values.
+    pub stated: Rc<[(String, String)]>,
     /// The line of each sample, counted from 1, or 0 if the file has no lines.
     pub lines: Arc<[usize]>,
     /// The pairs (wavelength in nm, value): at least two, finite, with increasing wavelengths.

@@ -26,7 +26,7 @@ pub fn add(grids: &[Grid], options: &Options, reading: &mut Reading) -> Result<(
         let axes = match axis::find(grid, options, &mut reading.notes) {
             Ok(axes) => axes,
             // Another table of the file may hold the spectrum.
-            Err(refusal) if grids.len() > 1 && chosen.is_empty() => {
+            Err(refusal) if grids.len() > 1 => {
                 reading.notes.truncate(known);
                 refusals.push((grid.lines.len() * grid.columns.len(), refusal));
                 continue;

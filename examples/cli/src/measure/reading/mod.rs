@@ -57,6 +57,8 @@ pub struct Reading {
     /// Where it was read, and who says what its numbers are.
     pub origin: Option<String>,
     pub kind: Kind,
+    /// What the file says beside its spectra, as names with their values.
+    pub stated: Rc<[(String, String)]>,
     /// XYZ, with Y = 100 for a relative light and for white under a light, and Y in the unit of photometry for
     /// another light.
     pub xyz: [f64; 3],
@@ -192,6 +194,7 @@ impl Reading {
             name: source.name.clone(),
             origin: source.origin.clone(),
             kind: source.kind,
+            stated: Rc::clone(&source.stated),
             rule: Some(source.rule(bench.between)),
             notes: source.notes.iter().map(|text| Note { key: "read".into(), text: text.clone() }).collect(),
             xyz: xyz.to_array().map(f64::from),
