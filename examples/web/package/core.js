@@ -1,22 +1,10 @@
 // The small module `core`: a light to XYZ, CCT and sRGB; Lab; an sRGB color to a spectrum.
 import { Instrument, labOf } from './instrument.js';
 import { all, decoded, encoded, hex, single, three } from './numbers.js';
-import { needsExact, ruleOf, sourceOf, wrong } from './samples.js';
-import { everyNanometerOf } from './sprague.js';
+import { ruleOf, sourceOf, wrong } from './samples.js';
 
 /** The functions of the module `core`. */
 export class Core extends Instrument {
-  /** Brings a spectrum to every nanometer. The module has no room for Sprague's rule, which JavaScript follows here. */
-  read(source, how = {}) {
-    super.read(source, how);
-    const { rule, hold = false, scaled = (x) => x } = how;
-    if (rule !== 'sprague' || needsExact(source.samples)) return;
-    const values = source.samples.map(([, value]) => Math.fround(scaled(value))),
-      first = source.samples[0][0];
-    const step = Math.fround(Math.fround(source.samples.at(-1)[0] - first) / (values.length - 1));
-    this.curve.set(everyNanometerOf(values, first, step, hold));
-  }
-
   /**
    * Computes XYZ (with Y = 100), chromaticities, CCT, Duv and the display color of a light.
    * @param {Parameters<typeof sourceOf>[0]} samples

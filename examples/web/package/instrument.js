@@ -2,7 +2,8 @@
 import { ILLUMINANTS, OBSERVERS } from './lists.js';
 import { all, three } from './numbers.js';
 import { read } from './read.js';
-import { checkReach, exactly, meansOf, needsExact, ruleOf, sourceOf, stepsOf, wrong } from './samples.js';
+import { checkReach, checkRegular, exactly, meansOf, needsExact, ruleOf, sourceOf, stepsOf, wrong } from './samples.js';
+import { everyNanometerOf, stepOf } from './sprague.js';
 
 export const FIRST = 360,
   NODES = 471;
@@ -17,7 +18,6 @@ function refusal(code) {
       `fewer than ${index} samples`,
       `sample ${index} is not a finite number`,
       `the wavelength of sample ${index} is not above the one before it`,
-      `sample ${index} is off the regular spacing that Sprague interpolation needs`,
     ][code & 7] ?? 'not a spectrum'
   );
 }
@@ -57,18 +57,19 @@ export class Instrument {
    */
   read(source, { rule = ruleOf(source, 'linear'), hold = false, scaled = (x) => x } = {}) {
     const { samples } = source,
-      sprague = rule === 'sprague',
       ordinary = samples.map(([nm, value]) => [nm, scaled(value)]);
     if (rule === 'averages') return this.curve.set(stepsOf(ordinary, hold));
     if (rule === 'means') return this.curve.set(meansOf(ordinary, hold));
-    const status = this.wasm.interpolate(this.write(ordinary), +sprague, +hold);
-    const at = (what) => wrong(source, what, status >> 3);
-    if ((status & 7) === 4) throw at('this row is off the regular step that sprague needs; use --interpolation linear');
-    if ((status & 7) === 3) throw at('this row is less than 0.0001 nm above the one before; merge the two');
-    if ((status & 7) === 1) {
-      throw wrong(source, `there are fewer than ${status >> 3} samples; use --interpolation linear`);
-    }
+    const status = this.wasm.interpolate(this.write(ordinary), +hold);
+    if ((status & 7) === 3) throw wrong(source, 'this row is less than 0.0001 nm above the one before; merge the two', status >> 3);
     if (status) throw wrong(source, `${refusal(status)}; correct the file`);
+    const sprague = rule === 'sprague';
+    if (sprague) checkRegular(source);
+    if (sprague && !needsExact(samples)) {
+      const step = stepOf(samples.map(([nm]) => nm));
+      const values = ordinary.map(([, value]) => Math.fround(value));
+      this.curve.set(everyNanometerOf(values, samples[0][0], step, hold));
+    }
     if (!needsExact(samples)) return;
     for (let k = 0; k < NODES; k++) {
       const nm = FIRST + k,

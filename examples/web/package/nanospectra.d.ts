@@ -280,6 +280,8 @@ export interface Batch {
 export interface Instrument {
   /** Whether this is the build that uses the vector instructions of WebAssembly. */
   readonly simd: boolean;
+  /** The CIE's tables that the module measures with, of which the first has x, y, z of CIE 1931 at 360..830 nm. */
+  readonly tables: Float32Array[];
   /** The illuminants by name, once they are loaded. A second module can be given those of the first. */
   lamps: Map<string, Source> | null;
   /** Fetches the illuminants of the CIE, which names in options and scenes refer to. */
@@ -351,10 +353,12 @@ export interface Modules {
 
 /**
  * Loads a module, `light` by default. `base` says where the package's files are, as an absolute URL that ends with a
- * slash. `simd` chooses the build that uses vector instructions; by default it is taken wherever it can run.
+ * slash. `simd` chooses the build that uses vector instructions; by default it is taken wherever it can run. `tables` are
+ * those of a module that is loaded already: the modules `paint` and `core` then fetch none.
  */
 export function load<M extends keyof Modules = 'light'>(options?: {
   module?: M;
   base?: string | URL;
   simd?: boolean;
+  tables?: Float32Array[];
 }): Promise<Modules[M]>;

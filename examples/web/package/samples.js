@@ -1,7 +1,7 @@
 // Checks one measured spectrum, notes how it was used, and brings it to 1 nm in f64. The same code in Rust is in
 // `source.rs` and `exact.rs` of examples/cli/src/measure.
 import { plain, short, shortest } from './numbers.js';
-import { BEYOND, quintic } from './sprague.js';
+import { BEYOND, irregular, quintic } from './sprague.js';
 
 const FIRST = 360,
   LAST = 830;
@@ -90,6 +90,14 @@ export function ruleOf({ samples, averages }, interpolation) {
   const isRegular =
     n >= 6 && step >= SPRAGUE_NM[0] && step <= SPRAGUE_NM[1] && samples.every(([nm], k) => Math.abs(nm - (first + step * k)) <= EQUAL * step);
   return isRegular ? 'sprague' : 'linear';
+}
+
+/** Refuses samples through which Sprague's rule draws no curve. @param {Source} source */
+export function checkRegular(source) {
+  const { samples } = source;
+  if (samples.length < 6) throw wrong(source, 'there are fewer than 6 samples; use --interpolation linear');
+  const off = irregular(samples.map(([nm]) => nm));
+  if (off >= 0) throw wrong(source, 'this row is off the regular step that sprague needs; use --interpolation linear', off);
 }
 
 /** Returns the notes about how the samples were used. @param {Source} source @param {string} rule @param {boolean} hold */

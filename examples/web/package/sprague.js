@@ -24,6 +24,15 @@ const f = Math.fround;
 /** The weights of values beyond the ends, in f32. */
 export const OUTER = BEYOND.map((weights) => weights.map((x) => f(x / 209)));
 
+/** Returns the mean step in f32 between wavelengths, as the crate computes it. @param {number[]} nms */
+export const stepOf = (nms) => f(f(f(nms.at(-1)) - f(nms[0])) / (nms.length - 1));
+
+/** Returns the place of the first wavelength that is off equal steps by more than a hundredth, or -1. @param {number[]} nms */
+export function irregular(nms) {
+  const step = stepOf(nms);
+  return nms.findIndex((nm, k) => Math.abs(f(f(nm) - f(f(nms[0]) + f(k * step)))) > f(f(0.01) * step));
+}
+
 /**
  * Interpolates to the nodes 360..830 nm by the same operations in f32 as the crate.
  * @param {number[]} v values in f32, of which there are six or more

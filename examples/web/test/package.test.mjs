@@ -118,13 +118,14 @@ for (const [name, simd] of BUILDS) {
 
   test(`${name}: samples at every spacing are brought to 1 nm by the command line's rule`, () => {
     const [rules, kinds] = [new Set(), [[{}, []], [{ unit: 'absolute' }, ['--unit', 'absolute']], [{ reflectance: true }, ['--reflectance']]]];
-    for (const step of [0.1, 0.25, 0.3333, 0.99, 0.9991, 1, 2.5, 4.99, 4.9991, 5, 7.1, 10, 20, 20.01, 35]) {
-      for (const off of [0, 0.3]) {
+    for (const step of [0.05, 0.25, 0.3333, 0.99, 0.9991, 1, 2.5, 4.99, 4.9991, 5, 7.1, 10, 20, 20.01, 35]) {
+      // The steps are equal, one is missing, or one sample is a little off its place.
+      for (const how of ['equal', 'missing', 'off']) {
         const rows = Array.from({ length: Math.ceil(240 / step) }, (_, k) => {
-          const nm = 351.3 + off + step * k;
+          const nm = 351.3 + step * (k + (how === 'off' && k === 5 ? 0.002 : 0));
           return `${nm},${0.4 + 0.3 * Math.sin(nm / 9)},${Math.abs(nm - 546.07) < 0.2 + step / 2 ? 0.97 : 0.02}`;
         });
-        if (off) rows.splice(5, 1);
+        if (how === 'missing') rows.splice(5, 1);
         const text = `nm,wave,line\n${rows.join('\n')}\n`;
         for (const [option, args] of kinds) {
           const expected = host.measured([...args, '-'], text);
@@ -134,6 +135,11 @@ for (const [name, simd] of BUILDS) {
       }
     }
     assert.deepEqual([...rules], ['means', 'linear', 'sprague']);
+    // Steps that are fine beside the visible do not count.
+    const beside = `${Array.from({ length: 40 }, (_, k) => `${340 + 0.5 * k},${k}`).join('\n')}\n360,40\n400,9\n700,20\n`;
+    const [linear] = host.measured(['-'], beside);
+    assert.equal(linear.interpolation, 'linear');
+    same(each(beside)[0], linear);
   });
 
   test(`${name}: so are surfaces under a lamp`, () => {
@@ -505,7 +511,10 @@ test('what an export would take for something else is refused before it is calle
   assert.throws(() => light.spectrum('D65'), /sample 0 is not a finite number/);
   for (const kelvin of [NaN, 0, 499, undefined]) assert.throws(() => light.blackBody(kelvin), /is out of range/);
   for (const count of [1.5, null, -1]) assert.throws(() => light.batch(count), /give a whole number up to 512/);
-  const alone = await load({ module: 'paint' });
+  const alone = await load({ module: 'paint', tables: light.tables });
+  alone.lamps = light.lamps;
+  assert.deepEqual(alone.upsample([0.8, 0.2, 0.1]), paint.upsample([0.8, 0.2, 0.1]));
+  alone.lamps = null;
   assert.throws(() => alone.upsample([0.8, 0.2, 0.1]), /there are no lamps yet/);
 });
 

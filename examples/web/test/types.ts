@@ -13,7 +13,7 @@ const batch = light.batch(318);
 batch.lights.set(reading.curve);
 batch.measure();
 
-const paint = await load({ module: 'paint' });
+const paint = await load({ module: 'paint', tables: light.tables });
 paint.lamps = light.lamps;
 const red: Upsampled = paint.upsample([0.8, 0.2, 0.1], { lights: ['A', light.blackBody(3000)] });
 
