@@ -445,6 +445,9 @@ test('plots of every size have finite places and numbers that differ', () => {
     const numbers = [...inside.matchAll(/text-anchor="end">([^<]*)<\/text>/g)].map(([, text]) => text);
     assert.ok(numbers.length < 30 && new Set(numbers).size === numbers.length, `${size}: ${numbers}`);
   }
+  // The lines of an axis are at multiples of their step, also where a curve begins a little below zero.
+  const { inside } = spectrum([[380, 19], [400, -0.01], [780, 0]], 'power');
+  assert.deepEqual([...inside.matchAll(/text-anchor="end">(-?\d+)<\/text>/g)].map(([, text]) => text), ['0', '5', '10', '15', '20']);
 });
 
 test('a name in a table is no formula', () => {
