@@ -3,7 +3,7 @@ import { ILLUMINANTS, OBSERVERS } from './lists.js';
 import { all, three } from './numbers.js';
 import { read } from './read.js';
 import { checkReach, checkRegular, exactly, meansOf, needsExact, ruleOf, sourceOf, stepsOf, wrong } from './samples.js';
-import { everyNanometerOf, stepOf } from './sprague.js';
+import { everyNanometerOf } from './sprague.js';
 
 export const FIRST = 360,
   NODES = 471;
@@ -63,19 +63,19 @@ export class Instrument {
     const status = this.wasm.interpolate(this.write(ordinary), +hold);
     if ((status & 7) === 3) throw wrong(source, 'this row is less than 0.0001 nm above the one before; merge the two', status >> 3);
     if (status) throw wrong(source, `${refusal(status)}; correct the file`);
-    const sprague = rule === 'sprague';
+    const sprague = rule === 'sprague',
+      [first, last] = [samples[0], samples.at(-1)];
     if (sprague) checkRegular(source);
-    if (sprague && !needsExact(samples)) {
-      const step = stepOf(samples.map(([nm]) => nm));
+    if (needsExact(samples)) {
+      for (let k = 0; k < NODES; k++) {
+        const nm = FIRST + k,
+          value = exactly(samples, nm, sprague);
+        const end = nm < first[0] ? first[1] : last[1];
+        this.curve[k] = value !== undefined ? scaled(value) : hold ? scaled(end) : 0;
+      }
+    } else if (sprague) {
       const values = ordinary.map(([, value]) => Math.fround(value));
-      this.curve.set(everyNanometerOf(values, samples[0][0], step, hold));
-    }
-    if (!needsExact(samples)) return;
-    for (let k = 0; k < NODES; k++) {
-      const nm = FIRST + k,
-        value = exactly(samples, nm, sprague);
-      const end = nm < samples[0][0] ? samples[0][1] : samples.at(-1)[1];
-      this.curve[k] = value !== undefined ? scaled(value) : hold ? scaled(end) : 0;
+      this.curve.set(everyNanometerOf(values, first[0], last[0], hold));
     }
   }
 

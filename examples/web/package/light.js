@@ -29,13 +29,17 @@ const NO_RENDERING = [
 const OF_THE_LIGHT =
   'cct_k duv lux ler_lm_per_w cri_ra cri_r cri_r9 cri_is_valid tm30_rf tm30_rg melanopic_edi_ratio ppfd epar photons ' +
   'photon_shares r_fr alpha_opic peak_nm centroid_nm fwhm_nm';
-/** The keys of the numbers that are left out if their formula ended in NaN or an infinity, and of those explained then. */
+/** The keys of numbers that are left out, with a note, if their formula ended in NaN or an infinity. */
 const FINITE =
   'xy uv1960 uv1976 cct_k duv lux ppfd ler_lm_per_w lab delta_e2000_to_white srgb dominant_wavelength_nm purity cri_ra ' +
   'cri_r tm30_rf tm30_rg melanopic_edi_ratio';
+/** The keys of numbers that have the same note if they are missing and no other note says why. */
 const EXPLAINED = 'xy uv1960 uv1976 cct_k duv lab srgb purity cri_ra tm30_rf delta_e2000_to_white';
 const EXTREME = 'it is not defined for values that are so large or so negative';
-/** The excitation purity above which a chromaticity is beyond the spectrum locus by more than noise, and the highest. */
+/**
+ * The excitation purity above which a chromaticity is outside of the spectrum locus by more than noise, and the one above
+ * which no noise explains it.
+ */
 const NOISY_PURITY = 1.01,
   MOST_PURITY = 1.2;
 /** The illuminance above which no daylight is: the sun at the zenith gives some 130,000 lx. */

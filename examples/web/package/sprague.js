@@ -24,24 +24,24 @@ const f = Math.fround;
 /** The weights of values beyond the ends, in f32. */
 export const OUTER = BEYOND.map((weights) => weights.map((x) => f(x / 209)));
 
-/** Returns the mean step in f32 between wavelengths, as the crate computes it. @param {number[]} nms */
-export const stepOf = (nms) => f(f(f(nms.at(-1)) - f(nms[0])) / (nms.length - 1));
+/** Returns the mean step in f32 between `n` wavelengths from the first to the last. */
+const stepOf = (first, last, n) => f(f(f(last) - f(first)) / (n - 1));
 
 /** Returns the place of the first wavelength that is off equal steps by more than a hundredth, or -1. @param {number[]} nms */
 export function irregular(nms) {
-  const step = stepOf(nms);
+  const step = stepOf(nms[0], nms.at(-1), nms.length);
   return nms.findIndex((nm, k) => Math.abs(f(f(nm) - f(f(nms[0]) + f(k * step)))) > f(f(0.01) * step));
 }
 
 /**
  * Interpolates to the nodes 360..830 nm by the same operations in f32 as the crate.
  * @param {number[]} v values in f32, of which there are six or more
- * @param {number} first the wavelength of the first value @param {number} step between the wavelengths, in f32 like that
+ * @param {number} first the wavelength of the first value, which f32 holds @param {number} last that of the last
  * @param {boolean} hold whether the values at the ends go on outside, where zero is otherwise
  */
-export function everyNanometerOf(v, first, step, hold) {
+export function everyNanometerOf(v, first, last, hold) {
   const n = v.length,
-    last = f(first + f((n - 1) * step));
+    step = stepOf(first, last, n);
   return Array.from({ length: 471 }, (_, node) => {
     const nm = 360 + node;
     if (nm < first) return hold ? v[0] : 0;

@@ -179,5 +179,5 @@ const linear = (v) =>
 /** Returns the test colors at every nanometer; the last is tabulated at 380..780 nm and held beyond. */
 const testColors = (columns) =>
   columns.map((values, k) =>
-    k < 14 ? everyNanometerOf(values.map(f), 360, 5, true) : everyNanometerOf(values.slice(4, 85).map(f), 380, 5, true),
+    k < 14 ? everyNanometerOf(values.map(f), 360, 830, true) : everyNanometerOf(values.slice(4, 85).map(f), 380, 780, true),
   );
