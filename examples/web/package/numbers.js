@@ -62,18 +62,16 @@ export const decoded = (x) =>
   Math.abs(x) <= 0.04045 ? x / 12.92 : Math.sign(x) * ((Math.abs(x) + 0.055) / 1.055) ** 2.4;
 
 /**
- * Adds to `notes` of an answer why its values are null, unless a note tells it already: one about the path of the value,
- * such as `absolute.luminance_cd_m2`, or about a path above. Paths with the same reason share a note. `why` has the reasons
- * for paths.
+ * Adds to `notes` of an answer why its values are null, unless a note about the path of the value, such as
+ * `absolute.luminance_cd_m2`, tells it already. Paths with the same reason share a note. `why` has the reasons for paths.
  * @template T @param {T} answer @param {Record<string, string>} [why] @returns {T}
  */
 export function explained(answer, why = {}) {
   const told = answer.notes.flatMap((note) => note.split(': ')[0].split(', '));
-  const isTold = (path) => told.some((key) => path === key || path.startsWith(`${key}.`));
   /** @type {Map<string, Set<string>>} */
   const reasons = new Map();
   const find = (value, path) => {
-    if (value === null && !isTold(path)) {
+    if (value === null && !told.includes(path)) {
       const reason = why[path] ?? 'the numbers that it follows from are too large, too small or not those of a light';
       reasons.set(reason, (reasons.get(reason) ?? new Set()).add(path));
     } else if (Array.isArray(value)) value.forEach((one) => find(one, path));

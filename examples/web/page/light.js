@@ -281,7 +281,7 @@ export async function build(section) {
     select(
       'Between samples',
       [
-        ['auto', 'by their spacing'],
+        ['auto', 'by spacing'],
         ['linear', 'linear'],
         ['sprague', 'Sprague'],
       ],

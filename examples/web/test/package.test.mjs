@@ -135,6 +135,8 @@ for (const [name, simd] of BUILDS) {
       }
     }
     assert.deepEqual([...rules], ['means', 'linear', 'sprague']);
+    const few = '400,1\n420,2\n440,3\n460,2\n480,1\n';
+    same(each(few)[0], host.measured(['-'], few)[0]);
     // Steps that are fine beside the visible do not count.
     const beside = `${Array.from({ length: 40 }, (_, k) => `${340 + 0.5 * k},${k}`).join('\n')}\n360,40\n400,9\n700,20\n`;
     const [linear] = host.measured(['-'], beside);
@@ -166,6 +168,10 @@ for (const [name, simd] of BUILDS) {
     const noisy = 'nm,noisy\n440,-0.01\n460,-0.01\n480,-0.01\n500,0\n520,0\n540,1\n560,0\n700,0\n';
     assert.ok(host.measured(['-'], noisy)[0].notes.some((note) => note.startsWith('xy: ')), 'it is within the locus');
     same(each(noisy)[0], host.measured(['-'], noisy)[0]);
+    // The power of all samples is below zero in one, and in the other two values have a mean but not a sum.
+    for (const text of ['300,-9\n350,-9\n380,0\n550,1\n700,0\n', '359,0\n360,1.6e308\n360.4,1.6e308\n360.8,0\n']) {
+      same(each(text, { unit: 'absolute' })[0], host.measured(['--unit', 'absolute', '-'], text)[0]);
+    }
     const strong = 'nm,strong\n400,9\n800,9\n';
     const [bright] = host.measured(['--unit', 'absolute', '-'], strong);
     assert.ok(bright.notes.some((note) => note.includes('brighter than the sun')));
@@ -351,7 +357,7 @@ test('what is no spectrum is refused in the words of the command line', () => {
     '500,1\r505,2\r',
     '500,1\n505,what-has-more-than-forty-letters-is-no-number\n',
     '4e-7,1\n7e-7,1\n',
-    'nm,a-name-that-has-more-than-forty-letters-is-cut\n500,0\n505,0\n',
+    `nm,${'x'.repeat(41)}\n500,0\n505,0\n`,
     'nm,a\n440,-0.05\n480,-0.05\n500,0\n520,0\n540,1\n560,0\n700,0\n',
   ];
   for (const text of bad) {
