@@ -7,7 +7,7 @@
 //! A spectral irradiance with 1 nm steps, a [`Fine<Power>`](crate::Fine) in W/(m2 nm), is converted
 //!
 //! * to lux by [`illuminance`], and for the dark-adapted eye by [`scotopic_illuminance`];
-//! * to photons for plants (PPFD) by [`ppfd`];
+//! * to photons for plants by [`ppfd`] and [`photon_flux`];
 //! * to the alpha-opic irradiances of the five kinds of photoreceptors, and from these to melanopic EDI and
 //!   DER, by [`AlphaOpic`] (CIE S 026);
 //! * to its luminous efficacy of radiation (LER), in lm/W, by [`luminous_efficacy`].
@@ -90,7 +90,7 @@ pub mod solid_angle;
 
 pub use alpha_opic::AlphaOpic;
 pub use luminous::{illuminance, luminous_efficacy, scotopic_illuminance};
-pub use photon::ppfd;
+pub use photon::{photon_flux, ppfd};
 
 pub use boundary::SurfaceRadiance;
 pub use carried::{Carried, Luminous, Radiant, Scotopic};

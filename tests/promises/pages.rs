@@ -9,12 +9,13 @@ use crate::claims::held::read;
 use crate::claims::sections::ROOT;
 
 /// The pages beside the guides.
-const PAGES: [&str; 9] = [
+const PAGES: [&str; 10] = [
     "README.md",
     "CHANGELOG.md",
     ".github/CONTRIBUTING.md",
     "benches/README.md",
     "examples/cli/README.md",
+    "examples/files/README.md",
     "examples/web/README.md",
     "examples/web/package/README.md",
     "tables/SOURCES.md",

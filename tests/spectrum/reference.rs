@@ -2,12 +2,15 @@
 
 use model::allowed::check;
 use model::csv::{Row, golden};
-use model::interpolation::Samples;
+use model::interpolation::{Interpolation as By, Outside as Beyond, Samples};
+use model::photometry::Photometry;
 use model::tables::{reflectance, source};
 use nanospectra::color::{Cct, Uv1960, Xy, Xyz, dominant_wavelength};
 use nanospectra::light::{blackbody_exitance, blackbody_peak_nm, daylight, daylight_xy};
 use nanospectra::observer::{ALPHA_OPIC, CIE_1931, CIE_1964, CIE_2015_2, CIE_2015_10};
-use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd, scotopic_illuminance};
+use nanospectra::radiometry::{
+    AlphaOpic, illuminance, luminous_efficacy, photon_flux, ppfd, scotopic_illuminance,
+};
 use nanospectra::{Factor, Fine, FineObserver, Interpolation, Nodes, Outside, Power, Spectrum};
 
 fn observer(name: &str) -> &'static FineObserver<3> {
@@ -174,7 +177,7 @@ fn photometric_and_other_weighted_sums_are_right() {
     let mut ler = check("luminous efficacy");
     let mut scotopic = check("scotopic over photopic");
     let mut alpha = check("alpha-opic ratios");
-    let mut photons = check("photons of 400 to 700 nm");
+    let mut photons = check("photons from one wavelength to another");
     let golden = golden("07_photometry_sources");
     for row in golden.rows() {
         let light = sprague(row.text("id"));
@@ -190,12 +193,17 @@ fn photometric_and_other_weighted_sums_are_right() {
             ["DER_sc", "DER_mc", "DER_lc", "DER_rh", "DER_mel"],
             [der.s_cone, der.m_cone, der.l_cone, der.rhodopic, der.melanopic].map(f64::from),
         );
-        photons.cell(row, "PPF_400_700_umol_per_J", f64::from(ppfd(&light) / power));
+        let exact = Photometry::of(&source(row.text("id")).on_cie_grid(By::Sprague, Beyond::Zero));
+        for (from, to) in [(400, 700), (400, 750), (655, 665), (725, 735), (700, 800)] {
+            let found = f64::from(photon_flux(&light, f32::from(from), f32::from(to)) / power);
+            photons.value(&format!("{} {from}", row.text("id")), found, exact.photons(from, to));
+        }
+        assert_eq!(ppfd(&light), photon_flux(&light, 400.0, 700.0));
     }
     ler.tight(golden.len());
     scotopic.tight(golden.len());
     alpha.tight(5 * golden.len());
-    photons.tight(golden.len());
+    photons.tight(5 * golden.len());
     assert_eq!(ALPHA_OPIC.weights().len(), 5);
 }
 

@@ -11,22 +11,31 @@ const REFUSED: u8 = 2;
 /// with what to do.
 const LONGEST: usize = 600;
 
-/// A failure, as one line that says where it is, what is wrong and what to do.
+/// A failure, as one line that says where it is, what is wrong and what to do, or several such lines.
 #[derive(Debug)]
 pub struct Failure {
     message: String,
     code: u8,
+    /// The failures that came with it.
+    more: Vec<Failure>,
 }
 
 impl Failure {
     /// Returns a failure of `place`, which is a file, an option or a directory.
     pub fn of(place: impl fmt::Display, what: impl fmt::Display) -> Self {
-        Failure { message: format!("{place}: {what}"), code: REFUSED }
+        Failure { message: format!("{place}: {what}"), code: REFUSED, more: Vec::new() }
     }
 
     /// Returns a failure at a line of a file, counted from 1.
     pub fn at(file: &str, line: usize, what: impl fmt::Display) -> Self {
         Failure::of(format_args!("{file}:{line}"), what)
+    }
+
+    /// Returns failures as one, with a line for each, or `None` if there is none.
+    pub fn all(failures: Vec<Failure>) -> Option<Self> {
+        let mut failures = failures.into_iter();
+        let first = failures.next()?;
+        Some(Failure { more: failures.collect(), ..first })
     }
 
     /// Returns the failure of standard output.
@@ -38,15 +47,17 @@ impl Failure {
 }
 
 impl fmt::Display for Failure {
-    /// Writes one short line, whatever file names and cells contain.
+    /// Writes one short line for each failure, whatever file names and cells contain.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let message: Vec<char> = printable(&self.message).chars().collect();
         if message.len() <= LONGEST {
-            return f.write_str(&String::from_iter(message));
+            f.write_str(&String::from_iter(message))?;
+        } else {
+            let [start, end] =
+                [&message[..LONGEST / 2], &message[message.len() - LONGEST / 2..]].map(String::from_iter);
+            write!(f, "{start}..{end}")?;
         }
-        let [start, end] =
-            [&message[..LONGEST / 2], &message[message.len() - LONGEST / 2..]].map(String::from_iter);
-        write!(f, "{start}..{end}")
+        self.more.iter().try_for_each(|failure| write!(f, "\n{failure}"))
     }
 }
 

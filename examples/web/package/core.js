@@ -1,7 +1,7 @@
 // The small module `core`: a light to XYZ, CCT and sRGB; Lab; an sRGB color to a spectrum.
 import { Instrument, labOf } from './instrument.js';
 import { all, decoded, encoded, hex, single, three } from './numbers.js';
-import { sourceOf, wrong } from './samples.js';
+import { ruleOf, sourceOf, wrong } from './samples.js';
 
 /** The functions of the module `core`. */
 export class Core extends Instrument {
@@ -11,7 +11,7 @@ export class Core extends Instrument {
    */
   spectrum(samples, { name = 'samples' } = {}) {
     const source = sourceOf(samples, name);
-    this.readLight(source, false);
+    this.readLight(source, ruleOf(source, 'auto'));
     if (this.wasm.see_light(0)) throw wrong(source, this.dark(0));
     const { out } = this;
     return {

@@ -1,13 +1,7 @@
 // Reads spectra from text. A text that is not plainly a table of numbers is refused with a message that names the line,
-// in the words of the command `nanospectra measure`.
+// in the words of the command `nanospectra measure --strict`.
 
-import { plain } from './numbers.js';
-
-/** Returns at most forty characters of a text, for a message. @param {string} text */
-function short(text) {
-  const all = [...text];
-  return all.length > 40 ? `${all.slice(0, 40).join('')}..` : text;
-}
+import { plain, short } from './numbers.js';
 
 const NUMBER = /^[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|inf|infinity|nan)$/i;
 

@@ -2,7 +2,8 @@
 import { ILLUMINANTS, OBSERVERS } from './lists.js';
 import { all, three } from './numbers.js';
 import { read } from './read.js';
-import { checkReach, exactly, meanOf, needsExact, sourceOf, wrong } from './samples.js';
+import { checkReach, checkRegular, exactly, meansOf, needsExact, ruleOf, sourceOf, stepsOf, wrong } from './samples.js';
+import { everyNanometerOf } from './sprague.js';
 
 export const FIRST = 360,
   NODES = 471;
@@ -17,7 +18,6 @@ function refusal(code) {
       `fewer than ${index} samples`,
       `sample ${index} is not a finite number`,
       `the wavelength of sample ${index} is not above the one before it`,
-      `sample ${index} is off the regular spacing that Sprague interpolation needs`,
     ][code & 7] ?? 'not a spectrum'
   );
 }
@@ -52,48 +52,45 @@ export class Instrument {
   }
 
   /**
-   * Interpolates a spectrum at every nanometer into the module's `curve`.
-   * @param {import('./csv.js').Source} source @param {{sprague?: boolean, hold?: boolean, scaled?: (x: number) => number}} how
+   * Brings a spectrum to every nanometer in the module's `curve`, by a rule of `ruleOf`.
+   * @param {import('./csv.js').Source} source @param {{rule?: string, hold?: boolean, scaled?: (x: number) => number}} how
    */
-  read(source, { sprague = false, hold = false, scaled = (x) => x } = {}) {
-    const { samples, file, lines } = source;
-    if (source.averages) {
-      const scaledOnes = samples.map(([nm, value]) => [nm, scaled(value)]);
-      for (let k = 0; k < NODES; k++) this.curve[k] = meanOf(scaledOnes, FIRST + k, hold);
-      return;
-    }
-    const status = this.wasm.interpolate(
-      this.write(samples.map(([nm, value]) => [nm, scaled(value)])),
-      +sprague,
-      +hold,
-    );
-    const at = (what) => new Error(`${file}:${lines[status >> 3]}: ${what}`);
-    if ((status & 7) === 4) throw at('this row is off the regular step that sprague needs; use --interpolation linear');
-    if ((status & 7) === 3) throw at('this row is less than 0.0001 nm above the one before; merge the two');
-    if ((status & 7) === 1) {
-      throw wrong(source, `there are fewer than ${status >> 3} samples; use --interpolation linear`);
-    }
+  read(source, { rule = ruleOf(source, 'linear'), hold = false, scaled = (x) => x } = {}) {
+    const { samples } = source,
+      ordinary = samples.map(([nm, value]) => [nm, scaled(value)]);
+    if (rule === 'averages') return this.curve.set(stepsOf(ordinary, hold));
+    if (rule === 'means') return this.curve.set(meansOf(ordinary, hold));
+    const status = this.wasm.interpolate(this.write(ordinary), +hold);
+    if ((status & 7) === 3) throw wrong(source, 'this row is less than 0.0001 nm above the one before; merge the two', status >> 3);
     if (status) throw wrong(source, `${refusal(status)}; correct the file`);
-    if (!needsExact(samples)) return;
-    for (let k = 0; k < NODES; k++) {
-      const nm = FIRST + k,
-        value = exactly(samples, nm, sprague);
-      const end = nm < samples[0][0] ? samples[0][1] : samples.at(-1)[1];
-      this.curve[k] = value !== undefined ? scaled(value) : hold ? scaled(end) : 0;
+    const sprague = rule === 'sprague',
+      [first, last] = [samples[0], samples.at(-1)];
+    if (sprague) checkRegular(source);
+    if (needsExact(samples)) {
+      for (let k = 0; k < NODES; k++) {
+        const nm = FIRST + k,
+          value = exactly(samples, nm, sprague);
+        const end = nm < first[0] ? first[1] : last[1];
+        this.curve[k] = value !== undefined ? scaled(value) : hold ? scaled(end) : 0;
+      }
+    } else if (sprague) {
+      const values = ordinary.map(([, value]) => Math.fround(value));
+      this.curve.set(everyNanometerOf(values, first[0], last[0], hold));
     }
   }
 
   /**
    * Reads a light into `curve`, scaled by a power of two so that its numbers are of ordinary size.
+   * @param {import('./csv.js').Source} source @param {string} [rule]
    * @returns {number} the number by which the curve is multiplied to get the samples
    */
-  readLight(source, sprague) {
+  readLight(source, rule) {
     checkReach(source);
     const peak = source.samples.reduce((peak, [, value]) => Math.max(peak, Math.abs(value)), 0);
     if (peak === 0) throw wrong(source, 'every value is zero; measure again with the lamp on');
     const half = Math.floor(Math.log2(peak) / 2),
       up = 2 ** -half;
-    this.read(source, { sprague, scaled: (value) => value * up * up });
+    this.read(source, { rule, scaled: (value) => value * up * up });
     if (this.curve.every((value) => value === 0)) {
       throw wrong(
         source,
@@ -122,23 +119,27 @@ export class Instrument {
     return this.lamps;
   }
 
-  /** Reads the lamp of a name into `curve`. */
-  named(name, place) {
+  /** Reads the lamp of a name into `curve`, by straight lines unless a rule is given. */
+  named(name, place, rule) {
     if (!this.lamps)
       throw new Error(`${place}: '${name}' names a lamp, but there are no lamps yet; await loadLamps() first`);
     const lamp = this.lamps.get(String(name).toUpperCase());
     if (!lamp) {
       throw new Error(`${place}: '${name}' is no CIE illuminant; use one of ${ILLUMINANTS}`);
     }
-    this.read(lamp);
+    this.read(lamp, { rule });
     return lamp;
   }
 
-  /** Reads a light into `curve`, by name or from samples. @returns {import('./csv.js').Source} */
-  lightOf(light, sprague = false) {
-    if (typeof light === 'string') return this.named(light, '--light');
+  /**
+   * Reads a light into `curve`, by name or from samples. Tables of the CIE are joined by straight lines by 'auto', too.
+   * @param {string | Parameters<typeof sourceOf>[0]} light @param {'auto' | 'linear' | 'sprague'} [interpolation]
+   * @returns {import('./csv.js').Source}
+   */
+  lightOf(light, interpolation = 'linear') {
+    if (typeof light === 'string') return this.named(light, '--light', interpolation === 'sprague' ? 'sprague' : 'linear');
     const source = sourceOf(light, 'light');
-    this.readLight(source, sprague);
+    this.readLight(source, ruleOf(source, interpolation));
     return source;
   }
 

@@ -1,11 +1,12 @@
 // The module `light`: every number about a light or a surface, for one spectrum or for batches.
 import { FIRST, Instrument, NODES, labOf } from './instrument.js';
 import { OBSERVERS } from './lists.js';
-import { all, double, hex, plain, shortest, single } from './numbers.js';
-import { checkReach, remarks, sourceOf, wrong } from './samples.js';
+import { all, double, explained, hex, plain, single } from './numbers.js';
+import { checkReach, checkShares, powerOf, remarks, ruleOf, sourceOf, wrong } from './samples.js';
+import { shapeOf } from './shape.js';
 
 const EYES = OBSERVERS.map(([name]) => name);
-const RULES = ['linear', 'sprague'];
+const RULES = ['auto', 'linear', 'sprague'];
 const UNITS = ['relative', 'absolute'];
 /** By CIE 13.3, the Ra of a light that is further than this from its reference means little. */
 const MAX_DC = 5.4e-3;
@@ -25,18 +26,27 @@ const NO_RENDERING = [
   `there is no reference: the light is ${NO_WHITE[2]}`,
   `there is no reference: the light is ${NO_WHITE[3]}`,
 ];
-const OF_THE_LIGHT = [
-  'cct_k',
-  'duv',
-  'lux',
-  'ler_lm_per_w',
-  'cri_ra',
-  'cri_r',
-  'tm30_rf',
-  'tm30_rg',
-  'melanopic_edi_ratio',
-  'ppfd',
-];
+const OF_THE_LIGHT =
+  'cct_k duv lux ler_lm_per_w cri_ra cri_r cri_r9 cri_is_valid tm30_rf tm30_rg melanopic_edi_ratio ppfd epar photons ' +
+  'photon_shares r_fr alpha_opic peak_nm centroid_nm fwhm_nm';
+/** The keys of numbers that are left out, with a note, if their formula ended in NaN or an infinity. */
+const FINITE =
+  'xy uv1960 uv1976 cct_k duv lux ppfd ler_lm_per_w lab delta_e2000_to_white srgb dominant_wavelength_nm purity cri_ra ' +
+  'cri_r tm30_rf tm30_rg melanopic_edi_ratio';
+/** The keys of numbers that have the same note if they are missing and no other note says why. */
+const EXPLAINED = 'xy uv1960 uv1976 cct_k duv lab srgb purity cri_ra tm30_rf delta_e2000_to_white';
+const EXTREME = 'it is not defined for values that are so large or so negative';
+/**
+ * The excitation purity above which a chromaticity is outside of the spectrum locus by more than noise, and the one above
+ * which no noise explains it.
+ */
+const NOISY_PURITY = 1.01,
+  MOST_PURITY = 1.2;
+/** The illuminance above which no daylight is: the sun at the zenith gives some 130,000 lx. */
+const MOST_DAYLIGHT = 200_000;
+const RECEPTORS = ['s_cone', 'm_cone', 'l_cone', 'rhodopic', 'melanopic'];
+/** The bands of photons, in the order of the module. */
+const BANDS = ['blue', 'green', 'red', 'far_red'];
 
 /** The functions of the module `light`. */
 export class Light extends Instrument {
@@ -51,8 +61,8 @@ export class Light extends Instrument {
   }
 
   /**
-   * Computes every number about a spectrum, with the keys of `nanospectra measure --json`. A number that is not defined
-   * is null, and a note says why.
+   * Computes every number about a spectrum, with the keys of `nanospectra measure --json`, except those about files. A
+   * number that is not defined is null, and a note says why.
    * @param {Parameters<typeof sourceOf>[0]} samples
    * @param {import('./nanospectra.d.ts').SpectrumOptions} [options]
    */
@@ -61,7 +71,7 @@ export class Light extends Instrument {
       name = 'samples',
       reflectance = false,
       observer = '1931',
-      interpolation = 'linear',
+      interpolation = 'auto',
       unit = 'relative',
     } = options;
     const eye = EYES.indexOf(observer);
@@ -70,7 +80,8 @@ export class Light extends Instrument {
       throw new Error(`there is no interpolation ${interpolation}; use one of ${RULES.join(', ')}`);
     if (!UNITS.includes(unit)) throw new Error(`there is no unit ${unit}; use one of ${UNITS.join(', ')}`);
     const source = sourceOf(samples, name),
-      sprague = interpolation === 'sprague';
+      rule = ruleOf(source, interpolation),
+      kind = reflectance ? 'reflectance' : unit === 'absolute' ? 'W/m2/nm' : unit;
     const reading = {
       name: source.name,
       XYZ: null,
@@ -93,29 +104,33 @@ export class Light extends Instrument {
       melanopic_edi_ratio: null,
       ppfd: null,
       notes: [],
-      delta_e2000: null,
+      delta_e2000_to_white: null,
       observer,
-      interpolation: source.averages ? 'averages' : interpolation,
-      unit: reflectance ? 'relative' : unit,
+      interpolation: rule,
+      unit: kind,
       file: source.file,
+      cri_r9: null,
+      cri_is_valid: null,
+      tm30_edition: 'ANSI/IES TM-30-20',
     };
     const note = (key, text) => reading.notes.push(`${key}: ${text}`);
     const missing = (keys, text) => keys.forEach((key) => note(key, text));
-    const work = { source, sprague, eye, unit, note, missing };
+    const work = { source, rule, interpolation, eye, note, missing };
     const extra = reflectance ? this.surface(reading, work, options.light ?? 'D65') : this.lamp(reading, work);
-    // What ended in NaN or an infinity is null.
-    for (const [key, value] of Object.entries(reading)) {
-      const lost = Array.isArray(value) ? value.includes(null) : typeof value === 'number' && !Number.isFinite(value);
-      if (lost && key !== 'XYZ') reading[key] = null;
-      if (reading[key] === null && !reading.notes.some((text) => text.startsWith(`${key}: `))) {
-        note(key, 'it is not defined for values that are so large or so negative');
-      }
+    const isLost = (value) => (Array.isArray(value) ? value.includes(null) : value !== null && !Number.isFinite(value));
+    for (const key of FINITE.split(' ').filter((key) => isLost(reading[key]))) {
+      reading[key] = null;
+      note(key, EXTREME);
     }
     if (reading.srgb === null) reading.hex = null;
+    if (reading.cri_r === null) reading.cri_r9 = null;
+    for (const key of EXPLAINED.split(' ')) {
+      if (reading[key] === null && !reading.notes.some((text) => text.startsWith(`${key}: `))) note(key, EXTREME);
+    }
     if (!reading.XYZ.every(Number.isFinite)) {
       throw wrong(source, 'its sums are too large for any number; check the values and the unit');
     }
-    return { ...reading, ...extra, curve: this.curve.slice() };
+    return { ...explained(reading), ...extra, curve: this.curve.slice() };
   }
 
   /** Takes XYZ and chromaticities from `out`, and adds the dominant wavelength. */
@@ -142,22 +157,24 @@ export class Light extends Instrument {
   }
 
   lamp(reading, work) {
-    const { source, sprague, eye, unit, note, missing } = work;
-    const scale = this.readLight(source, sprague),
-      absolute = unit === 'absolute';
+    const { source, rule, eye, note, missing } = work;
+    const scale = this.readLight(source, rule);
     if (this.wasm.see_light(eye)) throw wrong(source, this.dark(eye));
     const out = this.color(reading, work, [1 / 3, 1 / 3]);
-    if (absolute) reading.XYZ = Array.from(out.slice(3, 6), (x) => double(x * scale));
+    if (reading.unit !== 'relative') reading.XYZ = Array.from(out.slice(3, 6), (x) => double(x * scale));
+    this.checkPurity(reading, work);
     reading.cct_k = single(out[12]);
     reading.duv = single(out[13]);
     if (out[14]) missing(['cct_k', 'duv'], NO_WHITE[out[14]]);
 
     const no = this.wasm.rendering();
-    if (no) missing(['cri_ra', 'cri_r'], NO_RENDERING[no]);
+    if (no) missing(['cri_ra', 'cri_r', 'cri_r9', 'cri_is_valid'], NO_RENDERING[no]);
     else {
       reading.cri_ra = single(this.out[0]);
       reading.cri_r = Array.from(this.out.slice(2, 17), single);
-      if (this.out[1] > Math.fround(MAX_DC)) {
+      reading.cri_r9 = reading.cri_r[8];
+      reading.cri_is_valid = !(this.out[1] > Math.fround(MAX_DC));
+      if (!reading.cri_is_valid) {
         note(
           'cri_ra',
           `the light is ${this.out[1].toFixed(4)} from its reference in uv, where CIE 13.3 allows 0.0054, ` +
@@ -169,19 +186,15 @@ export class Light extends Instrument {
     if (typeof tm30 === 'string') missing(['tm30_rf', 'tm30_rg'], tm30);
     else [reading.tm30_rf, reading.tm30_rg] = [tm30.rf, tm30.rg];
 
-    this.wasm.photometry();
-    const [ler, melanopic, lux, ppfd] = this.out;
-    reading.ler_lm_per_w = single(ler);
-    reading.melanopic_edi_ratio = single(melanopic);
-    if (reading.ler_lm_per_w === null)
-      missing(['ler_lm_per_w'], 'the power over 360..830 nm does not sum to more than zero');
-    if (reading.melanopic_edi_ratio === null) missing(['melanopic_edi_ratio'], 'there is no luminance to compare with');
-    if (absolute) [reading.lux, reading.ppfd] = [double(lux * scale), double(ppfd * scale)];
-    else missing(['lux', 'ppfd'], 'the input is relative; give W/m2/nm and --unit absolute');
+    this.strength(reading, work, scale);
+    const { peak, centroid, width } = shapeOf(source.samples);
+    [reading.peak_nm, reading.centroid_nm, reading.fwhm_nm] = [peak, centroid, width].map((nm) => nm && double(nm));
+    if (centroid === null) note('centroid_nm', 'the power of the samples does not sum to more than zero');
+    if (width === null) note('fwhm_nm', 'the samples end before they fall to half of the peak on both sides');
 
     this.show(reading, out);
     note('srgb', "this and hex are the light's chromaticity at Y = 100, clipped to the gamut");
-    missing(['lab', 'delta_e2000'], 'a light has none, because it takes a surface and a white');
+    missing(['lab', 'delta_e2000_to_white'], 'a light has none, because it takes a surface and a white');
     if (eye) {
       note(
         'observer',
@@ -189,8 +202,57 @@ export class Light extends Instrument {
           'and CIE 1931 for CCT, Duv, CRI and photometry',
       );
     }
-    for (const remark of remarks(source, sprague, false)) note('data', remark);
+    for (const remark of remarks(source, rule, false)) note('data', remark);
     return { tm30: typeof tm30 === 'string' ? null : tm30, scale };
+  }
+
+  /** Looks whether any light can have the chromaticity. */
+  checkPurity({ purity }, { source, note }) {
+    if (purity > Math.fround(MOST_PURITY)) {
+      throw wrong(
+        source,
+        'its chromaticity is far outside the spectrum locus, which no light has; look for numbers that stand for missing ' +
+          'values, and subtract the dark reading',
+      );
+    }
+    if (purity > Math.fround(NOISY_PURITY)) {
+      note('xy', 'the chromaticity is outside the spectrum locus, which no light has; is the dark reading right?');
+    }
+  }
+
+  /** Adds how strong the light in `curve`, times `scale`, is: for instruments, the eye, the body's clock and plants. */
+  strength(reading, { source, note, missing }, scale) {
+    this.wasm.photometry();
+    const out = Array.from(this.out.slice(0, 25)),
+      known = reading.unit !== 'relative';
+    const [ler] = out,
+      ders = out.slice(1, 6),
+      luminous = out[16],
+      [par, epar, ...photons] = out.slice(17);
+    const absolute = (x) => (known ? double(x * scale) : null);
+    const each = (names, value) => Object.fromEntries(names.map((name, k) => [name, value(k)]));
+    reading.ler_lm_per_w = single(ler);
+    if (reading.ler_lm_per_w === null)
+      missing(['ler_lm_per_w'], 'the power over 360..830 nm does not sum to more than zero');
+    reading.melanopic_edi_ratio = single(ders[4]);
+    if (reading.melanopic_edi_ratio === null) missing(['melanopic_edi_ratio'], 'there is no luminance to compare with');
+    if (known) reading.irradiance_w_m2 = double(powerOf(source));
+    [reading.lux, reading.ppfd, reading.epar] = [luminous, par, epar].map(absolute);
+    reading.photons = known ? each(BANDS, (k) => absolute(photons[k])) : null;
+    reading.photon_shares = each(BANDS, (k) => (par > 0 ? double(photons[k] / par) : null));
+    const [red, farRed] = photons.slice(4);
+    reading.r_fr = farRed > 0 ? double(red / farRed) : null;
+    reading.alpha_opic = each(RECEPTORS, (k) => ({
+      der: single(ders[k]),
+      ...(known && { irradiance_w_m2: absolute(out[6 + k]), edi_lx: absolute(out[11 + k]) }),
+    }));
+    if (!known) {
+      const why = 'the input is relative; give --unit such as absolute (W/m2/nm) or mW/m2/nm, or --lux or --ppfd';
+      missing(['lux', 'ppfd', 'epar', 'photons'], why);
+    }
+    if (reading.r_fr === null) note('r_fr', 'there are no photons of 725..735 nm to compare with');
+    if (reading.lux > MOST_DAYLIGHT)
+      note('lux', 'this is brighter than the sun on the ground (130,000 lx); is the unit right?');
   }
 
   /** Computes TM-30 of `curve`, or returns the reason why there is none. */
@@ -212,35 +274,29 @@ export class Light extends Instrument {
   }
 
   surface(reading, work, light) {
-    const { source, sprague, eye, note, missing } = work;
-    const lamp = this.lightOf(light, sprague);
+    const { source, rule, interpolation, eye, note, missing } = work;
+    const lamp = this.lightOf(light, interpolation);
     if (this.wasm.see_light(eye)) throw wrong(lamp, this.dark(eye));
     reading.light = lamp.name;
     this.light.set(this.curve);
     checkReach(source);
-    source.samples.forEach(([, value], k) => {
-      if (value > 2) {
-        throw new Error(
-          `${source.file}:${source.lines[k]}: '${source.name}' is ${shortest(value)}, which is not a reflectance; ` +
-            'give shares of 0..1, not percent or power',
-        );
-      }
-    });
-    this.read(source, { sprague, hold: true });
+    checkShares(source);
+    this.read(source, { rule, hold: true });
     const status = this.wasm.see_surface(eye);
     const [x, y, z] = this.out.slice(3, 6),
       sum = Math.fround(Math.fround(x + y) + z);
     const white = sum > 0 ? [x / sum, y / sum] : [1 / 3, 1 / 3];
     const out = this.color(reading, work, white);
-    if (status & 1) missing(['lab', 'delta_e2000'], 'X, Y or Z of the light is not above zero, so it has no white');
-    else [reading.lab, reading.delta_e2000] = [all(out.slice(22, 25)), single(out[25])];
+    if (status & 1) missing(['lab', 'delta_e2000_to_white'], 'X, Y or Z of the light is not above zero, so it has no white');
+    else [reading.lab, reading.delta_e2000_to_white] = [all(out.slice(22, 25)), single(out[25])];
     if (status & 2) missing(['srgb', 'hex'], 'the light is not a white that can be adapted to D65');
     else {
       this.show(reading, out);
       if (!out[21]) note('srgb', 'the color is outside the gamut; this and hex are clipped');
     }
-    missing(OF_THE_LIGHT, 'only a light has this number, and a surface has not');
-    for (const remark of remarks(source, sprague, true)) note('data', remark);
+    for (const key of OF_THE_LIGHT.split(' ')) reading[key] ??= null;
+    missing(OF_THE_LIGHT.split(' '), 'only a light has this number, and a surface has not');
+    for (const remark of remarks(source, rule, true)) note('data', remark);
     const above = source.samples.filter(([, value]) => value > 1).length;
     if (above) note('data', `${above} values are above 1: more light leaves than arrives (fluorescence or gloss?)`);
     return {};

@@ -12,7 +12,10 @@ export interface Source {
   averages?: boolean;
 }
 
-/** A spectrum of 2 to 4096 samples: values at increasing wavelengths in nm, at any spacing. */
+/**
+ * A spectrum of 2 to 4096 samples: values at increasing wavelengths in nm, at any spacing. If visible samples are nearer
+ * than 1 nm, there may be more of them.
+ */
 export type Samples =
   Source | Iterable<readonly [number, number]> | { nm: ArrayLike<number>; values: ArrayLike<number> };
 
@@ -27,9 +30,31 @@ export interface SpectrumOptions {
   /** The light on the surface, as the name of a CIE illuminant or as a spectrum; D65 by default. */
   light?: string | Samples;
   observer?: Observer;
-  interpolation?: 'linear' | 'sprague';
-  /** The unit of the samples; `absolute` means W/m2/nm, and only then are `lux` and `ppfd` computed. */
+  /**
+   * The rule that brings the samples to 1 nm; `auto` by default, which takes Sprague's for six or more samples at equal
+   * steps of 5 to 20 nm, means of straight lines over each nanometer if visible samples are nearer than 1 nm, and else
+   * straight lines. Averages over bands are constant within each band by every rule.
+   */
+  interpolation?: 'auto' | 'linear' | 'sprague';
+  /** The unit of the samples; `absolute` means W/m2/nm, and only then is it known how strong the light is. */
   unit?: 'relative' | 'absolute';
+}
+
+/** Photons of 400..500, 500..600, 600..700 and 700..800 nm, where both ends have half weight. */
+export interface PhotonBands {
+  blue: number | null;
+  green: number | null;
+  red: number | null;
+  far_red: number | null;
+}
+
+/** What a receptor of the eye gets of a light, by CIE S 026. */
+export interface Receptor {
+  /** The daylight efficacy ratio. */
+  der: number | null;
+  /** The alpha-opic irradiance and the equivalent daylight illuminance of a light in W/m2/nm. */
+  irradiance_w_m2?: number | null;
+  edi_lx?: number | null;
 }
 
 export interface HueBin {
@@ -51,7 +76,7 @@ export interface Fidelity {
 }
 
 /**
- * Every number about a spectrum, with the keys of `nanospectra measure --json`. A number that is not defined is null,
+ * Every number about a spectrum, with the keys of `nanospectra measure --json`, except those about files. A number that is not defined is null,
  * and one of the notes says why.
  */
 export interface Reading {
@@ -78,13 +103,36 @@ export interface Reading {
   tm30_rf: number | null;
   tm30_rg: number | null;
   melanopic_edi_ratio: number | null;
+  /** The photons of 400..700 nm in umol/m2/s. */
   ppfd: number | null;
   notes: string[];
-  delta_e2000: number | null;
+  /** CIEDE2000 of a surface to a perfect white. */
+  delta_e2000_to_white: number | null;
   observer: string;
-  interpolation: string;
-  unit: string;
+  /** The rule that was taken: `means` are those of straight lines over each nanometer, `averages` those over bands. */
+  interpolation: 'linear' | 'sprague' | 'means' | 'averages';
+  unit: 'relative' | 'W/m2/nm' | 'reflectance';
+  cri_r9: number | null;
+  /** Whether the light is near enough to its reference that CIE 13.3 applies. */
+  cri_is_valid: boolean | null;
+  tm30_edition: string;
+  /** For a surface, the name of the light on it. */
   light?: string;
+  /** For a light in W/m2/nm, the power of all its samples, visible or not. */
+  irradiance_w_m2?: number | null;
+  /** The photons of 400..750 nm in umol/m2/s. */
+  epar: number | null;
+  /** The photons of each band in umol/m2/s. */
+  photons: PhotonBands | null;
+  /** The photons of each band over those of 400..700 nm. */
+  photon_shares: PhotonBands | null;
+  /** Red over far-red photons: those of 655..665 and 725..735 nm. */
+  r_fr: number | null;
+  alpha_opic: Record<'s_cone' | 'm_cone' | 'l_cone' | 'rhodopic' | 'melanopic', Receptor> | null;
+  /** The wavelength of the highest sample, the mean wavelength weighed by power, and the width at half the peak. */
+  peak_nm: number | null;
+  centroid_nm: number | null;
+  fwhm_nm: number | null;
   tm30?: Fidelity | null;
   /** For a light, the number by which `curve` is multiplied to get the samples. */
   scale?: number;
@@ -232,6 +280,8 @@ export interface Batch {
 export interface Instrument {
   /** Whether this is the build that uses the vector instructions of WebAssembly. */
   readonly simd: boolean;
+  /** The CIE's tables that the module measures with, of which the first has x, y, z of CIE 1931 at 360..830 nm. */
+  readonly tables: Float32Array[];
   /** The illuminants by name, once they are loaded. A second module can be given those of the first. */
   lamps: Map<string, Source> | null;
   /** Fetches the illuminants of the CIE, which names in options and scenes refer to. */
@@ -303,10 +353,12 @@ export interface Modules {
 
 /**
  * Loads a module, `light` by default. `base` says where the package's files are, as an absolute URL that ends with a
- * slash. `simd` chooses the build that uses vector instructions; by default it is taken wherever it can run.
+ * slash. `simd` chooses the build that uses vector instructions; by default it is taken wherever it can run. `tables` are
+ * those of a module that is loaded already: the modules `paint` and `core` then fetch none.
  */
 export function load<M extends keyof Modules = 'light'>(options?: {
   module?: M;
   base?: string | URL;
   simd?: boolean;
+  tables?: Float32Array[];
 }): Promise<Modules[M]>;

@@ -49,6 +49,12 @@ export function plain(x) {
 export const shortest = (x) =>
   x === 0 || (Math.abs(x) >= 1e-6 && Math.abs(x) < 1e9) ? plain(x) : x.toExponential().replace('+', '');
 
+/** Returns at most forty characters of a text, for a message. @param {string} text */
+export function short(text) {
+  const all = [...text];
+  return all.length > 40 ? `${all.slice(0, 40).join('')}..` : text;
+}
+
 /** Encodes a linear number of 0..1 by the curve of sRGB. @param {number} x linear */
 export const encoded = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 /** Decodes an encoded number; negative numbers mirror positive ones. @param {number} x encoded */
@@ -56,19 +62,24 @@ export const decoded = (x) =>
   Math.abs(x) <= 0.04045 ? x / 12.92 : Math.sign(x) * ((Math.abs(x) + 0.055) / 1.055) ** 2.4;
 
 /**
- * Adds to `notes` of an answer why its values are null, with the reasons for the paths of keys in `why`.
- * @template T @param {T} answer @param {Record<string, string>} why @returns {T}
+ * Adds to `notes` of an answer why its values are null, unless a note about the path of the value, such as
+ * `absolute.luminance_cd_m2`, tells it already. Paths with the same reason share a note. `why` has the reasons for paths.
+ * @template T @param {T} answer @param {Record<string, string>} [why] @returns {T}
  */
-export function explained(answer, why) {
+export function explained(answer, why = {}) {
+  const told = answer.notes.flatMap((note) => note.split(': ')[0].split(', '));
+  /** @type {Map<string, Set<string>>} */
+  const reasons = new Map();
   const find = (value, path) => {
-    if (value === null) {
+    if (value === null && !told.includes(path)) {
       const reason = why[path] ?? 'the numbers that it follows from are too large, too small or not those of a light';
-      if (!answer.notes.some((note) => note.startsWith(`${path}: `))) answer.notes.push(`${path}: ${reason}`);
+      reasons.set(reason, (reasons.get(reason) ?? new Set()).add(path));
     } else if (Array.isArray(value)) value.forEach((one) => find(one, path));
-    else if (typeof value === 'object') {
+    else if (value !== null && typeof value === 'object') {
       for (const [key, one] of Object.entries(value)) find(one, path ? `${path}.${key}` : key);
     }
   };
   find(answer, '');
+  for (const [reason, paths] of reasons) answer.notes.push(`${[...paths].join(', ')}: ${reason}`);
   return answer;
 }

@@ -248,7 +248,7 @@ export class Scene {
     }
     const dark = points.find(([, value]) => value < 0);
     if (dark) throw new Error(`${plain(dark[1])} at ${plain(dark[0])} nm is not a power; give 0 or more`);
-    this.check(spectra.wasm.interpolate(spectra.write(points), 0, 0), '; give increasing wavelengths in nm');
+    this.check(spectra.wasm.interpolate(spectra.write(points), 0), '; give increasing wavelengths in nm');
     return 'points';
   }
 

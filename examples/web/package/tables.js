@@ -5,7 +5,7 @@
 // two bytes, and the zeros in front of and behind each column. Its columns follow as one stream of bits, in which 16
 // numbers share a number of decimals and a parameter of the code.
 
-import { BEYOND, quintic } from './sprague.js';
+import { OUTER, everyNanometerOf, quintic } from './sprague.js';
 
 /** The rules by which columns become numbers. */
 export const RULES = { plain: 0, sample: 1, test: 2, copy: 3, lights: 4, daylight: 5 };
@@ -112,9 +112,6 @@ function everyNanometer(v) {
   return out;
 }
 
-/** Sprague's weights beyond the ends, in f32. */
-const OUTER = BEYOND.map((weights) => weights.map((x) => Math.fround(x / 209)));
-
 /** Arranges the 15 test colors and a white node after node, with two nodes beyond each end, as the crate sums them. */
 function nodes(columns) {
   const inside = columns.map((values) => values.map(Math.fround));
@@ -181,52 +178,6 @@ const linear = (v) =>
 
 /** Returns the test colors at every nanometer; the last is tabulated at 380..780 nm and held beyond. */
 const testColors = (columns) =>
-  columns.map((values, k) => (k < 14 ? sprague(values.map(f), 0) : sprague(values.slice(4, 85).map(f), 4)));
-
-/**
- * Interpolates from 5 nm to the nodes 360..830 nm by the same operations in f32 as the crate, with the end values held.
- * @param {number[]} v values @param {number} first the place of the first value, in steps of 5 nm above 360 nm
- */
-function sprague(v, first) {
-  const n = v.length;
-  const out = [];
-  for (let nm = 360; nm <= 830; nm++) {
-    const distance = nm - 360 - 5 * first;
-    if (distance < 0) {
-      out.push(v[0]);
-      continue;
-    }
-    if (distance > 5 * (n - 1)) {
-      out.push(v[n - 1]);
-      continue;
-    }
-    const cell = Math.min(Math.floor(distance / 5), n - 2);
-    const t = f((distance - cell * 5) / 5);
-    // Horner's scheme with each step rounded; `c` goes from the innermost coefficient outwards.
-    const horner = (c) => c.reduce((sum, x) => f(x + f(t * sum)));
-    const q = [
-      f(f(t * horner([f(13 - f(5 * t)), -9, -1, 2])) / 24),
-      f(f(t * horner([f(-64 + f(25 * t)), 39, 16, -16])) / 24),
-      f(1 + f(f(f(t * t) * horner([f(126 - f(50 * t)), -70, -30])) / 24)),
-      f(f(t * horner([f(-124 + f(50 * t)), 66, 16, 16])) / 24),
-      f(f(t * horner([f(61 - f(25 * t)), -33, -1, -2])) / 24),
-      f(f(f(f(t * t) * t) * horner([f(-12 + f(5 * t)), 7])) / 24),
-    ];
-    const start = Math.min(Math.max(cell - 2, 0), n - 6);
-    const w = [0, 0, 0, 0, 0, 0];
-    for (let j = 0; j < 6; j++) {
-      const k = cell + j;
-      if (k < 2) {
-        const outer = OUTER[k === 0 ? 1 : 0];
-        for (let i = 0; i < 6; i++) w[i] = f(w[i] + f(q[j] * outer[i]));
-      } else if (k - 2 >= n) {
-        const outer = OUTER[k - 2 > n ? 1 : 0];
-        for (let i = 0; i < 6; i++) w[5 - i] = f(w[5 - i] + f(q[j] * outer[i]));
-      } else if (k - 2 - start < 6) w[k - 2 - start] = f(w[k - 2 - start] + q[j]);
-    }
-    let sum = 0;
-    for (let j = 0; j < 6; j++) if (w[j] !== 0) sum = f(sum + f(w[j] * f(v[start + j] - v[cell])));
-    out.push(f(v[cell] + sum));
-  }
-  return out;
-}
+  columns.map((values, k) =>
+    k < 14 ? everyNanometerOf(values.map(f), 360, 830, true) : everyNanometerOf(values.slice(4, 85).map(f), 380, 780, true),
+  );

@@ -144,7 +144,8 @@ export const select = (label, list, chosen, onchange, id) =>
 /** Replaces the words of a message that name options of the command line by those of the page. @param {string} text */
 export const inPage = (text) =>
   text
-    .replace('give W/m2/nm and --unit absolute', 'for W/m²/nm choose that unit')
+    .replace('give --unit such as absolute (W/m2/nm) or mW/m2/nm, or --lux or --ppfd', 'for W/m²/nm choose that unit')
+    .replace('give --percent if it is percent, or shares of 0..1', 'give shares of 0..1, and divide percent by 100')
     .replace('use --interpolation linear', 'choose linear between samples')
     .replace('--light: ', '');
 

@@ -281,6 +281,7 @@ export async function build(section) {
     select(
       'Between samples',
       [
+        ['auto', 'by spacing'],
         ['linear', 'linear'],
         ['sprague', 'Sprague'],
       ],

@@ -21,7 +21,8 @@ export function frame(
   const ticks = (from, to, step) =>
     Array.from({ length: Math.floor((to - from) / step + 1.0001) }, (_, k) => from + k * step);
   let svg = '';
-  for (const value of ticks(y0, y1, yStep)) {
+  // The lines are at multiples of the step, wherever the axis begins.
+  for (const value of ticks(Math.ceil(y0 / yStep - 1e-9) * yStep, y1, yStep)) {
     svg +=
       `<path class="rule" d="M${left} ${n(y(value))}H${right}"/>` +
       `<text class="label" x="${left - 6}" y="${n(y(value) + 4)}" text-anchor="end">${number(value, digits[1])}</text>`;

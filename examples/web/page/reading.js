@@ -1,29 +1,47 @@
 // Shows a reading of the colorimeter on the page: plots, numbers and notes.
+import { shortest } from './nanospectra/numbers.js';
 import { copy, h, inPage } from './dom.js';
 import { DRAWN, asSlider, hand } from './drawing.js';
 import { bars, chromaticity, spectrum as plot, vectors } from './plots.js';
 import { spectra, state } from './session.js';
 
-/** The rows of the table: key of the report, name and unit. */
+/**
+ * The rows of the table in the order of the report of `nanospectra measure`: how strong a light is, what it does, its
+ * color, its photons and what the receptors of the eye get of it. Each has a key of the report, a name and a unit. The
+ * part of a key behind a point is a key of each of several things.
+ */
 const ROWS = [
-  ['XYZ', 'X, Y, Z'],
-  ['xy', 'x, y'],
-  ['uv1976', 'u′, v′ (1976)'],
-  ['uv1960', 'u, v (1960)'],
+  ['irradiance_w_m2', 'Irradiance', 'W/m²'],
+  ['lux', 'Illuminance', 'lx'],
   ['cct_k', 'CCT', 'K'],
   ['duv', 'Duv'],
-  ['lab', 'L*, a*, b*'],
-  ['delta_e2000', 'CIEDE2000 to white'],
-  ['dominant_wavelength_nm', 'Dominant wavelength', 'nm'],
-  ['purity', 'Purity'],
-  ['hex', 'sRGB'],
   ['cri_ra', 'CRI Ra'],
+  ['cri_r9', 'CRI R9'],
   ['tm30_rf', 'TM-30 Rf'],
   ['tm30_rg', 'TM-30 Rg'],
   ['ler_lm_per_w', 'Luminous efficacy', 'lm/W'],
-  ['melanopic_edi_ratio', 'Melanopic ratio'],
-  ['lux', 'Illuminance', 'lx'],
+  ['XYZ', 'X, Y, Z'],
+  ['xy', 'x, y'],
+  ['uv1960', 'u, v (1960)'],
+  ['uv1976', 'u′, v′ (1976)'],
+  ['lab', 'L*, a*, b*'],
+  ['delta_e2000_to_white', 'CIEDE2000 to white'],
+  ['hex', 'sRGB'],
+  ['dominant_wavelength_nm', 'Dominant wavelength', 'nm'],
+  ['purity', 'Purity'],
   ['ppfd', 'PPFD', 'µmol/m²/s'],
+  ['epar', 'ePAR', 'µmol/m²/s'],
+  ['photons', 'Photons: blue, green, red, far red', 'µmol/m²/s'],
+  ['photon_shares', 'Blue, green, red, far red, as shares of 400..700 nm'],
+  ['r_fr', 'R:FR'],
+  ['peak_nm', 'Peak', 'nm'],
+  ['centroid_nm', 'Centroid', 'nm'],
+  ['fwhm_nm', 'Width at half the peak', 'nm'],
+  ['melanopic_edi_ratio', 'Melanopic ratio'],
+  ['alpha_opic.der', 'DER: S, M, L, rods, melanopsin'],
+  ['alpha_opic.edi_lx', 'EDI: S, M, L, rods, melanopsin', 'lx'],
+  ['alpha_opic.irradiance_w_m2', 'α-opic irradiances: the same', 'W/m²'],
+  ['interpolation', 'Brought to 1 nm by'],
 ];
 
 let planck, tcs;
@@ -61,6 +79,18 @@ export function prepare() {
 
 const text = (value) => (value === null ? 'none' : Array.isArray(value) ? value.join(', ') : String(value));
 const rounded = (value, digits) => (value === null ? 'none' : value.toFixed(digits));
+const significant = (value, unit) => (value === null ? 'none' : `${shortest(Number(value.toPrecision(4)))} ${unit}`);
+
+/** Returns the value of a key of `ROWS`, which is a list for the parts of an object, or null where one is missing. */
+function valueOf(reading, key) {
+  const [first, second] = key.split('.'),
+    value = reading[first];
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) return value ?? null;
+  const parts = Object.values(value).map((part) => (second ? part[second] : part) ?? null);
+  return parts.includes(null) ? null : parts;
+}
+
+const isAbsolute = (reading) => reading.unit === 'W/m2/nm';
 
 /** Shows a reading in the plots and the table. */
 export function show(view, source, reading) {
@@ -69,7 +99,7 @@ export function show(view, source, reading) {
   const samples = Array.from(curve, (value, k) => [360 + k, value * scale]).filter(
     ([nm]) => nm >= 380 && nm <= 780,
   );
-  const unit = reading.light !== undefined ? 'reflectance' : reading.unit === 'absolute' ? 'W/m²/nm' : 'relative power';
+  const unit = reading.light !== undefined ? 'reflectance' : isAbsolute(reading) ? 'W/m²/nm' : 'relative power';
   const size = [view.spd.width(), 300];
   const spd = plot(samples, unit, {
     id: 'spd',
@@ -127,6 +157,12 @@ function tell(view, reading) {
           ['sRGB', reading.hex],
         ]
       : [
+          ...(isAbsolute(reading)
+            ? [
+                ['Irradiance', significant(reading.irradiance_w_m2, 'W/m²')],
+                ['Illuminance', significant(reading.lux, 'lx')],
+              ]
+            : []),
           ['CCT', reading.cct_k === null ? 'none' : `${Math.round(reading.cct_k)} K`],
           ['Duv', rounded(reading.duv, 4)],
           ['Ra', rounded(reading.cri_ra, 1)],
@@ -138,8 +174,9 @@ function tell(view, reading) {
     ...big.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value ?? 'none'))),
   );
   view.rows.replaceChildren(
-    ...ROWS.filter(([key]) => reading[key] !== null).map(([key, name, unit]) => {
-      const value = text(reading[key]);
+    ...ROWS.filter(([key]) => valueOf(reading, key) !== null).map(([key, name, ownUnit]) => {
+      const value = text(valueOf(reading, key)),
+        unit = key === 'XYZ' && isAbsolute(reading) ? 'lx' : ownUnit;
       return h(
         'tr',
         {},
@@ -166,7 +203,7 @@ function tell(view, reading) {
   );
   const notes = new Map();
   for (const note of reading.notes) {
-    const [, key, words] = /^(\w+): (.*)$/s.exec(inPage(note));
+    const [, key, words] = /^(.*?): (.*)$/s.exec(inPage(note));
     notes.set(words, [...(notes.get(words) ?? []), key]);
   }
   view.notes.replaceChildren(...[...notes].map(([words, keys]) => h('li', {}, `${keys.join(', ')}: ${words}`)));

@@ -11,7 +11,7 @@ const POSSIBLE = {
   file: /./,
   column: /^\d+$/,
   observer: new RegExp(`^(${OBSERVERS.map(([name]) => name).join('|')})$`),
-  interpolation: /^(linear|sprague)$/,
+  interpolation: /^(auto|linear|sprague)$/,
   unit: /^(relative|absolute)$/,
   kind: /^(light|surface)$/,
   under: /./,
@@ -41,7 +41,7 @@ const usual = {
   tab: 'light',
   lamp: 'LED-B3',
   observer: OBSERVERS[0][0],
-  interpolation: 'linear',
+  interpolation: 'auto',
   unit: 'relative',
   kind: 'light',
   under: 'D65',
@@ -71,7 +71,7 @@ let lamps;
 
 /** Loads a module and gives it the CIE's lamps. @param {'light' | 'paint' | 'scene'} module */
 export async function fetched(module) {
-  const instrument = await load({ module, base });
+  const instrument = await load({ module, base, tables: spectra?.tables });
   lamps ??= await instrument.loadLamps(base);
   instrument.lamps = lamps;
   for (const key of ['lamp', 'under', 'paintlamp', 'scenelamp'])

@@ -80,21 +80,18 @@ pub fn code(error: SamplesError) -> u32 {
         SamplesError::TooFew { needed } => 1 + 8 * needed as u32,
         SamplesError::NotFinite { index } => 2 + 8 * index as u32,
         SamplesError::NotIncreasing { index } => 3 + 8 * index as u32,
-        SamplesError::NotRegular { index } => 4 + 8 * index as u32,
         _ => 5,
     }
 }
 
-/// Interpolates the samples at every nanometer into `curve`: linearly, or by Sprague's rule if `sprague` is 1
-/// (which only the module `light` can). Outside the samples the curve is zero, or holds the end values if
-/// `hold` is 1. Returns 0, or the [`code`] of an error.
+/// Interpolates the samples at every nanometer into `curve`, by straight lines. (JavaScript follows Sprague's
+/// rule by the same operations, since it needs them for the measured tables too.) Outside the samples the curve
+/// is zero, or holds the end values if `hold` is 1. Returns 0, or the [`code`] of an error.
 #[unsafe(no_mangle)]
-extern "C" fn interpolate(count: u32, sprague: u32, hold: u32) -> u32 {
+extern "C" fn interpolate(count: u32, hold: u32) -> u32 {
     let board = &mut *board();
-    let is_sprague = cfg!(feature = "light") && sprague == 1;
-    let by = if is_sprague { Interpolation::Sprague } else { Interpolation::Linear };
     let outside = if hold == 0 { Outside::Zero } else { Outside::Hold };
-    match Fine::interpolated_outside(given(&board.samples, count), by, outside) {
+    match Fine::interpolated_outside(given(&board.samples, count), Interpolation::Linear, outside) {
         Ok(fine) => {
             board.curve = fine;
             0

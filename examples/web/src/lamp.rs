@@ -6,7 +6,7 @@ use crate::fixed::Fixed;
 use crate::measure::{at, eye};
 use core::mem::offset_of;
 use nanospectra::color::{Cri, RenderingError, Tm30, Xy, cri, dominant_wavelength, tm30};
-use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, ppfd};
+use nanospectra::radiometry::{AlphaOpic, illuminance, luminous_efficacy, photon_flux};
 use nanospectra::{Fine, Power};
 
 /// Writes to `out` the dominant wavelength and the purity of the chromaticity that is there, relative to a
@@ -20,16 +20,33 @@ extern "C" fn dominant(observer: u32, white_x: f32, white_y: f32) {
     out[..2].copy_from_slice(&values);
 }
 
-/// Writes to `out` the luminous efficacy of radiation in lm/W and the melanopic daylight efficacy ratio,
-/// then, for a light in W/m2/nm, the illuminance in lx and the PPFD in umol/m2/s.
+/// The bands of photons in nm: PAR and ePAR; blue, green, red and far red; then the two of R:FR.
+const PHOTONS: [(f32, f32); 8] = [
+    (400.0, 700.0),
+    (400.0, 750.0),
+    (400.0, 500.0),
+    (500.0, 600.0),
+    (600.0, 700.0),
+    (700.0, 800.0),
+    (655.0, 665.0),
+    (725.0, 735.0),
+];
+
+/// Writes to `out` the luminous efficacy of radiation in lm/W and the daylight efficacy ratios of the five
+/// receptors, which are NaN if they are not defined. Behind them are, for a light in W/m2/nm, the alpha-opic
+/// irradiances in W/m2, the equivalent daylight illuminances in lx, the illuminance in lx, and the photons of
+/// each of [`PHOTONS`] in umol/m2/s.
 #[unsafe(no_mangle)]
 extern "C" fn photometry() {
     let board = &mut *board();
-    let light = &board.curve;
-    board.out[0] = luminous_efficacy(light).unwrap_or(f32::NAN);
-    board.out[1] = AlphaOpic::der(light).map_or(f32::NAN, |ratios| ratios.melanopic);
-    board.out[2] = illuminance(light);
-    board.out[3] = ppfd(light);
+    let (light, out) = (&board.curve, &mut board.out);
+    let alpha_opic = AlphaOpic::new(light);
+    put(out, 0, [luminous_efficacy(light).unwrap_or(f32::NAN)]);
+    put(out, 1, AlphaOpic::der(light).map_or([f32::NAN; 5], AlphaOpic::to_array));
+    put(out, 6, alpha_opic.to_array());
+    put(out, 11, alpha_opic.edi().to_array());
+    put(out, 16, [illuminance(light)]);
+    put(out, 17, PHOTONS.map(|(from, to)| photon_flux(light, from, to)));
 }
 
 /// Returns the reason why there is no color rendering as a number; 0 stands for success.

@@ -14,11 +14,23 @@ export function build() {
 export function json(command, args, input = '') {
   const done = run(command, ['--json', ...args], input);
   if (done.status !== 0) throw new Error(done.stderr);
-  return done.stdout
+  return reports(done.stdout);
+}
+
+/**
+ * Returns the reports of an output in JSON, without the key `read`: it says where in a file the numbers stand, and the
+ * package is given numbers and not files. Its parser assumes nothing, which is the option `--strict` of `measure`.
+ * @param {string} stdout @returns {object[]}
+ */
+export const reports = (stdout) =>
+  stdout
     .trim()
     .split('\n')
-    .map((line) => JSON.parse(line));
-}
+    .map((line) => JSON.parse(line))
+    .map(({ read, ...report }) => report);
+
+/** @param {string[]} args @param {string} [input] @returns {object[]} what `measure` reports about spectra */
+export const measured = (args, input) => json('measure', ['--strict', ...args], input);
 
 /** @returns {{status: number, stdout: string, stderr: string}} */
 export function run(command, args, input = '') {

@@ -55,15 +55,19 @@ function files() {
   return [...groups.values()].map(table);
 }
 
-/** Compares every key that the program prints. */
+/** The keys that only the package has. */
+const OWN = ['tm30', 'scale', 'curve'];
+
+/** Compares every key that the program prints, and their order. */
 function same(reading, expected) {
   for (const key of Object.keys(expected))
     assert.deepEqual(reading[key], expected[key], `${expected.name}: ${key}`);
+  assert.deepEqual(Object.keys(reading).filter((key) => !OWN.includes(key)), Object.keys(expected), expected.name);
 }
 
 /** Returns the message with which the program refuses an input. */
 function refusal(args, text) {
-  const { status, stderr } = host.run('measure', [...args, '-'], text);
+  const { status, stderr } = host.run('measure', ['--strict', '--fail-fast', ...args, '-'], text);
   assert.equal(status, 2, text);
   return stderr.trim();
 }
@@ -75,7 +79,7 @@ for (const [name, simd] of BUILDS) {
   test(`${name}: every number about every CIE lamp is the command line's`, () => {
     let count = 0;
     for (const text of files()) {
-      const expected = host.json('measure', ['-'], text);
+      const expected = host.measured(['-'], text);
       each(text).forEach((reading, k) => same(reading, expected[k]));
       count += expected.length;
     }
@@ -91,7 +95,7 @@ for (const [name, simd] of BUILDS) {
     ];
     for (const option of options) {
       const [[key, value]] = Object.entries(option);
-      same(each(text, option)[0], host.json('measure', [`--${key}`, value, '-'], text)[0]);
+      same(each(text, option)[0], host.measured([`--${key}`, value, '-'], text)[0]);
     }
   });
 
@@ -101,31 +105,77 @@ for (const [name, simd] of BUILDS) {
       Math.exp(-(((k - 380) / 60) ** 2)) + 0.01,
     ]);
     const text = rows.map((row) => row.join(',')).join('\n');
-    same(each(text)[0], host.json('measure', ['-'], text)[0]);
+    same(each(text)[0], host.measured(['-'], text)[0]);
     const regular = rows
       .map(([, value], k) => [350.1 + 0.6 * k, value])
       .map((row) => row.join(','))
       .join('\n');
     same(
       each(regular, { interpolation: 'sprague' })[0],
-      host.json('measure', ['--interpolation', 'sprague', '-'], regular)[0],
+      host.measured(['--interpolation', 'sprague', '-'], regular)[0],
     );
+  });
+
+  test(`${name}: samples at every spacing are brought to 1 nm by the command line's rule`, () => {
+    const [rules, kinds] = [new Set(), [[{}, []], [{ unit: 'absolute' }, ['--unit', 'absolute']], [{ reflectance: true }, ['--reflectance']]]];
+    for (const step of [0.05, 0.25, 0.3333, 0.99, 0.9991, 1, 2.5, 4.99, 4.9991, 5, 7.1, 10, 20, 20.01, 35]) {
+      // The steps are equal, one is missing, or one sample is a little off its place.
+      for (const how of ['equal', 'missing', 'off']) {
+        const rows = Array.from({ length: Math.ceil(240 / step) }, (_, k) => {
+          const nm = 351.3 + step * (k + (how === 'off' && k === 5 ? 0.002 : 0));
+          return `${nm},${0.4 + 0.3 * Math.sin(nm / 9)},${Math.abs(nm - 546.07) < 0.2 + step / 2 ? 0.97 : 0.02}`;
+        });
+        if (how === 'missing') rows.splice(5, 1);
+        const text = `nm,wave,line\n${rows.join('\n')}\n`;
+        for (const [option, args] of kinds) {
+          const expected = host.measured([...args, '-'], text);
+          each(text, option).forEach((reading, k) => same(reading, expected[k]));
+          rules.add(expected[0].interpolation);
+        }
+      }
+    }
+    assert.deepEqual([...rules], ['means', 'linear', 'sprague']);
+    const few = '400,1\n420,2\n440,3\n460,2\n480,1\n';
+    same(each(few)[0], host.measured(['-'], few)[0]);
+    // Steps that are fine beside the visible do not count.
+    const beside = `${Array.from({ length: 40 }, (_, k) => `${340 + 0.5 * k},${k}`).join('\n')}\n360,40\n400,9\n700,20\n`;
+    const [linear] = host.measured(['-'], beside);
+    assert.equal(linear.interpolation, 'linear');
+    same(each(beside)[0], linear);
   });
 
   test(`${name}: so are surfaces under a lamp`, () => {
     const text =
       'nm,red,paper,percentish\n400,0.05,0.7,0\n500,0.06,0.85,0\n580,0.2,0.88,1.2\n620,0.7,0.9,0.4\n700,0.75,0.9,0\n';
     for (const light of ['D65', 'A', 'FL11', 'LED-B3']) {
-      const expected = host.json('measure', ['--reflectance', '--light', light, '-'], text);
+      const expected = host.measured(['--reflectance', '--light', light, '-'], text);
       each(text, { reflectance: true, light }).forEach((reading, k) => same(reading, expected[k]));
+      const smooth = 'nm,a\n400,0.1\n420,0.2\n440,0.3\n460,0.3\n480,0.5\n500,0.6\n';
+      const [option, args] = [{ interpolation: 'sprague' }, ['--interpolation', 'sprague']];
+      const [under] = host.measured(['--reflectance', '--light', light, ...args, '-'], smooth);
+      same(each(smooth, { reflectance: true, light, ...option })[0], under);
     }
   });
 
   test(`${name}: dark, red and impossible lights get the command line's notes`, () => {
     const text =
       'nm,laser,coal,green,dip\n400,0,0,0,1\n500,0,0,0.001,-0.4\n550,0,0.0001,1,1\n600,0,0.01,0.001,1\n650,1,0.3,0,1\n651,0,0.31,0,0.2\n780,0,9,0,1\n';
-    const expected = host.json('measure', ['-'], text);
-    each(text).forEach((reading, k) => same(reading, expected[k]));
+    for (const [option, args] of [[{}, []], [{ unit: 'absolute' }, ['--unit', 'absolute']]]) {
+      const expected = host.measured([...args, '-'], text);
+      each(text, option).forEach((reading, k) => same(reading, expected[k]));
+    }
+    // No light is so pure, and none on the ground so strong.
+    const noisy = 'nm,noisy\n440,-0.01\n460,-0.01\n480,-0.01\n500,0\n520,0\n540,1\n560,0\n700,0\n';
+    assert.ok(host.measured(['-'], noisy)[0].notes.some((note) => note.startsWith('xy: ')), 'it is within the locus');
+    same(each(noisy)[0], host.measured(['-'], noisy)[0]);
+    // The power of all samples is below zero in one, and in the other two values have a mean but not a sum.
+    for (const text of ['300,-9\n350,-9\n380,0\n550,1\n700,0\n', '359,0\n360,1.6e308\n360.4,1.6e308\n360.8,0\n']) {
+      same(each(text, { unit: 'absolute' })[0], host.measured(['--unit', 'absolute', '-'], text)[0]);
+    }
+    const strong = 'nm,strong\n400,9\n800,9\n';
+    const [bright] = host.measured(['--unit', 'absolute', '-'], strong);
+    assert.ok(bright.notes.some((note) => note.includes('brighter than the sun')));
+    same(each(strong, { unit: 'absolute' })[0], bright);
   });
 
   test(`${name}: scenes are those of the command line`, () => {
@@ -247,7 +297,7 @@ test('goldens: XYZ, CCT, Duv, Ra, R1..R15, Rf and Rg of lamps, from definitions 
     '01_xyz_sources',
     (row) => row.observer === '1931_2' && row.method === 'linear_zero',
   )) {
-    ['X', 'Y', 'Z'].forEach((key, k) => near(by({}).XYZ[k], Number(row[key]), 4e-7 * Number(row[key]), row.id));
+    ['X', 'Y', 'Z'].forEach((key, k) => near(by({ interpolation: 'linear' }).XYZ[k], Number(row[key]), 4e-7 * Number(row[key]), row.id));
   }
   // The other expected values come from 5 nm tables that are read by Sprague's rule.
   for (const [row, by] of rows('02_cct_sources', () => true)) {
@@ -301,12 +351,14 @@ test('what is no spectrum is refused in the words of the command line', () => {
     '900,1\n1000,2\n',
     'nm,a,b\n400,1,0\n500,1,0\n',
     '400,-1\n500,-2\n',
-    '500.2,1\n500.6,1\n',
+    '300,1\n360,0\n',
     'nm,"a\n500,1\n505,2\n',
     'nm,lamp "a"\n500,1\n505,2\n',
     '500,1\r505,2\r',
     '500,1\n505,what-has-more-than-forty-letters-is-no-number\n',
     '4e-7,1\n7e-7,1\n',
+    `nm,${'x'.repeat(41)}\n500,0\n505,0\n`,
+    'nm,a\n440,-0.05\n480,-0.05\n500,0\n520,0\n540,1\n560,0\n700,0\n',
   ];
   for (const text of bad) {
     const said = refusal([], text);
@@ -316,17 +368,22 @@ test('what is no spectrum is refused in the words of the command line', () => {
       text,
     );
   }
+  const between = '500.2,1\n500.6,1\n';
+  assert.throws(() => loaded.get(true).light.spectrum(parse(between, 'stdin')[0], { interpolation: 'linear' }), {
+    message: refusal(['--interpolation', 'linear'], between),
+  });
   const irregular = '400,1\n410,1\n420,1\n431,1\n440,1\n450,1\n460,1\n';
   for (const text of [irregular, '400,1\n500,1\n']) {
     const said = refusal(['--interpolation', 'sprague'], text);
     const [source] = parse(text, 'stdin');
     assert.throws(() => loaded.get(true).light.spectrum(source, { interpolation: 'sprague' }), { message: said });
   }
-  const percent = '400,50\n700,60\n';
-  const [source] = parse(percent, 'stdin');
-  assert.throws(() => loaded.get(true).light.spectrum(source, { reflectance: true }), {
-    message: refusal(['--reflectance'], percent),
-  });
+  for (const percent of ['400,50\n700,60\n', '400,0.5\n500,60\n', '400,1.1\n700,1.2\n']) {
+    const [source] = parse(percent, 'stdin');
+    assert.throws(() => loaded.get(true).light.spectrum(source, { reflectance: true }), {
+      message: refusal(['--reflectance'], percent),
+    });
+  }
 });
 
 test('headings, separators, comments and quotes are read as the command line reads them', () => {
@@ -339,7 +396,7 @@ test('headings, separators, comments and quotes are read as the command line rea
     'lambda a b\n400 1. +2\n700 3 4\n',
   ];
   for (const text of texts) {
-    const expected = host.json('measure', ['-'], text);
+    const expected = host.measured(['-'], text);
     parse(text, 'stdin').forEach((source, k) => same(loaded.get(true).light.spectrum(source), expected[k]));
   }
 });
@@ -347,7 +404,7 @@ test('headings, separators, comments and quotes are read as the command line rea
 test('averages over bands are read as the command line reads them', () => {
   const text = 'band-nm,a,b\n400,0.1,0.9\n420,0.3,0.2\n450,0.5,0.1\n600,0.2,0.7\n';
   for (const [options, args] of [[{}, []], [{ unit: 'absolute' }, ['--unit', 'absolute']], [{ reflectance: true }, ['--reflectance']]]) {
-    const expected = host.json('measure', [...args, '-'], text);
+    const expected = host.measured([...args, '-'], text);
     parse(text, 'stdin').forEach((source, k) => same(loaded.get(true).light.spectrum(source, options), expected[k]));
   }
 });
@@ -364,9 +421,9 @@ test('numbers of every size are those of the command line', () => {
   for (const size of ['1e-310', '5e-324', '1e-45', '3.4e38', '1e39', '1e300', '-1e30']) {
     const text = `nm,a\n380,${size}\n780,${size}\n`;
     for (const [options, args] of [[{ unit: 'absolute' }, ['--unit', 'absolute']], [{ reflectance: true }, ['--reflectance']]]) {
-      const done = host.run('measure', ['--json', ...args, '-'], text);
+      const done = host.run('measure', ['--json', '--strict', ...args, '-'], text);
       const measured = () => loaded.get(true).light.spectrum(parse(text, 'stdin')[0], options);
-      if (done.status === 0) same(measured(), JSON.parse(done.stdout));
+      if (done.status === 0) same(measured(), host.reports(done.stdout)[0]);
       else assert.throws(measured, /stdin:2: 'a'/);
     }
   }
@@ -376,12 +433,13 @@ test('a lamp that is no white is said to be none', () => {
   const { scene } = loaded.get(true);
   const answer = scene.scene({ lamp: { points: [[690, 0], [700, 1], [710, 0]] }, part: [{ filter: { flat: 0.5 } }] }).answer();
   // The eye of CIE 1931 has no Z there, and what the folded one has is rounding.
-  if (answer.lab === null) assert.ok(answer.notes.some((note) => /^lab: .* no white/.test(note)), answer.notes.join());
+  if (answer.lab === null) assert.ok(answer.notes.some((note) => /^lab\b.* no white/.test(note)), answer.notes.join());
   else assert.ok(answer.lab.every(Number.isFinite));
   const text = JSON.stringify(answer);
   for (const [key] of text.matchAll(/"\w+":null/g)) {
     const name = key.slice(1, -6);
-    assert.ok(answer.notes.some((note) => note.split(': ')[0].split('.').at(-1) === name), `${name} has no note`);
+    const keys = answer.notes.flatMap((note) => note.split(': ')[0].split(', '));
+    assert.ok(keys.some((key) => key.split('.').at(-1) === name), `${name} has no note`);
   }
 });
 
@@ -393,6 +451,9 @@ test('plots of every size have finite places and numbers that differ', () => {
     const numbers = [...inside.matchAll(/text-anchor="end">([^<]*)<\/text>/g)].map(([, text]) => text);
     assert.ok(numbers.length < 30 && new Set(numbers).size === numbers.length, `${size}: ${numbers}`);
   }
+  // The lines of an axis are at multiples of their step, also where a curve begins a little below zero.
+  const { inside } = spectrum([[380, 19], [400, -0.01], [780, 0]], 'power');
+  assert.deepEqual([...inside.matchAll(/text-anchor="end">(-?\d+)<\/text>/g)].map(([, text]) => text), ['0', '5', '10', '15', '20']);
 });
 
 test('a name in a table is no formula', () => {
@@ -459,7 +520,10 @@ test('what an export would take for something else is refused before it is calle
   assert.throws(() => light.spectrum('D65'), /sample 0 is not a finite number/);
   for (const kelvin of [NaN, 0, 499, undefined]) assert.throws(() => light.blackBody(kelvin), /is out of range/);
   for (const count of [1.5, null, -1]) assert.throws(() => light.batch(count), /give a whole number up to 512/);
-  const alone = await load({ module: 'paint' });
+  const alone = await load({ module: 'paint', tables: light.tables });
+  alone.lamps = light.lamps;
+  assert.deepEqual(alone.upsample([0.8, 0.2, 0.1]), paint.upsample([0.8, 0.2, 0.1]));
+  alone.lamps = null;
   assert.throws(() => alone.upsample([0.8, 0.2, 0.1]), /there are no lamps yet/);
 });
 

@@ -7,11 +7,13 @@ await light.loadLamps();
 const [source] = parse('nm,lamp\n380,0.1\n780,0.2\n', 'lamp.csv');
 const reading: Reading = light.spectrum(source!, { observer: '2015-10', unit: 'absolute' });
 const kelvin: number | null = reading.cct_k;
+const lux: number | null | undefined = reading.alpha_opic?.melanopic.edi_lx;
+const blue: number | null | undefined = reading.photons?.blue;
 const batch = light.batch(318);
 batch.lights.set(reading.curve);
 batch.measure();
 
-const paint = await load({ module: 'paint' });
+const paint = await load({ module: 'paint', tables: light.tables });
 paint.lamps = light.lamps;
 const red: Upsampled = paint.upsample([0.8, 0.2, 0.1], { lights: ['A', light.blackBody(3000)] });
 
@@ -30,4 +32,4 @@ light.spectrum(source!, { observer: '1932' });
 // @ts-expect-error there is no such module
 await load({ module: 'full' });
 
-export { answer, hex, kelvin, red };
+export { answer, blue, hex, kelvin, lux, red };

@@ -165,7 +165,8 @@ export async function build() {
   for (const file of readdirSync(here('dist/page'), { recursive: true })) {
     const path = here(`dist/page/${file}`);
     if (/\.(js|css|html)$/.test(file)) writeFileSync(path, lean(readFileSync(path, 'utf8')));
-    else if (/\.d\.ts$|README|LICENSE|package\.json|core\.(js|wasm|simd)|bands\./.test(file)) rmSync(path);
+    // All modules of the page have the tables of the module `light`.
+    else if (/\.d\.ts$|README|LICENSE|package\.json|core\.(js|wasm|simd)|bands\.|cie1931\.tables/.test(file)) rmSync(path);
   }
   await bundle();
   const files = readdirSync(here('dist/page'), { recursive: true, withFileTypes: true })

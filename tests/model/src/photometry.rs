@@ -73,8 +73,14 @@ impl Photometry {
         [0, 1, 2, 3, 4].map(|i| own[i] / daylight[i])
     }
 
-    /// Photons in micromoles per joule, both ends included.
+    /// Photons in micromoles per joule: the integral of straight lines between whole nanometers.
     pub fn photons(&self, from_nm: u16, to_nm: u16) -> f64 {
+        let ends = self.photon_sum(from_nm, from_nm) + self.photon_sum(to_nm, to_nm);
+        self.photon_sum(from_nm, to_nm) - ends / 2.0
+    }
+
+    /// Sum of the photons at whole nanometers, both ends included, as the goldens have it.
+    pub fn photon_sum(&self, from_nm: u16, to_nm: u16) -> f64 {
         self.within(from_nm, to_nm).map(|(nm, power)| power * nm * 1e-9 / (H * C * AVOGADRO) * 1e6).sum()
     }
 

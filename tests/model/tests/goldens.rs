@@ -256,6 +256,17 @@ fn wien_and_stefan_boltzmann_hold() {
 }
 
 #[test]
+fn photons_of_flat_light_are_the_integral_of_the_wavelength() {
+    let flat = Photometry::of(&[1.0; 471]);
+    for (from, to) in [(400, 700), (400, 750), (655, 665), (360, 830)] {
+        let [a, b] = [from, to].map(f64::from);
+        // h c N_A = 0.119626565824... J m / mol, exact in the SI.
+        let expected = (b * b - a * a) / 2.0 / 119.626_565_824_7;
+        assert!((flat.photons(from, to) * flat.total / expected - 1.0).abs() < 1e-10, "{from} to {to}");
+    }
+}
+
+#[test]
 fn watts_become_lumens_melanopic_light_and_photons() {
     let mut check = Check::new("07 photometry", 0.0, 1e-11);
     for row in golden("07_photometry_sources").rows() {
@@ -277,12 +288,12 @@ fn watts_become_lumens_melanopic_light_and_photons() {
             check.cell(row, &format!("DER_{name}"), der[i]);
         }
         check.cell(row, "melEDI_at_1000lx", 1000.0 * der[4]);
-        check.cell(row, "PPF_400_700_umol_per_J", p.photons(400, 700));
+        check.cell(row, "PPF_400_700_umol_per_J", p.photon_sum(400, 700));
         check.cell(row, "PAR_W_400_700", p.band(400, 700));
-        check.cell(row, "PPFD_umol_per_klx", 1000.0 * p.photons(400, 700) / p.ler());
-        check.cell(row, "photon_360_830_umol_per_J", p.photons(360, 830));
+        check.cell(row, "PPFD_umol_per_klx", 1000.0 * p.photon_sum(400, 700) / p.ler());
+        check.cell(row, "photon_360_830_umol_per_J", p.photon_sum(360, 830));
         for (from, to) in [(400, 500), (500, 600), (600, 700), (700, 800)] {
-            check.cell(row, &format!("photon_{from}_{to}"), p.photons(from, to));
+            check.cell(row, &format!("photon_{from}_{to}"), p.photon_sum(from, to));
         }
     }
     check.finish(63 * 29);

@@ -28,15 +28,18 @@ pub fn run(mut lane: Lane) -> Outcome {
                     harnesses(&STATIONS)
                 ))
             });
-            lane.step("tests of the documentation, the bits, the model and the program", |shell| {
-                let test = "cargo test --quiet --no-fail-fast";
-                shell.run(&format!("{test} -p nanospectra --doc"))?;
-                shell.filtered("cargo test -p nanospectra --test promises doc_claims")?;
-                shell.filtered("cargo test -p nanospectra --test promises modules")?;
-                ["bits", "model", "cli"]
-                    .iter()
-                    .try_for_each(|name| shell.run(&format!("{test} -p nanospectra-{name}")))
-            });
+            lane.step(
+                "tests of the documentation, the bits, the model, the reader of files and the program",
+                |shell| {
+                    let test = "cargo test --quiet --no-fail-fast";
+                    shell.run(&format!("{test} -p nanospectra --doc"))?;
+                    shell.filtered("cargo test -p nanospectra --test promises doc_claims")?;
+                    shell.filtered("cargo test -p nanospectra --test promises modules")?;
+                    ["bits", "model", "files", "cli"]
+                        .iter()
+                        .try_for_each(|name| shell.run(&format!("{test} -p nanospectra-{name}")))
+                },
+            );
         },
     )?;
     lane.report()

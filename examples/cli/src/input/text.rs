@@ -11,6 +11,13 @@ pub const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 ///
 /// The text is UTF-8 with or without a byte order mark. The path `-` is standard input.
 pub fn read(path: &Path) -> Result<(String, String), Failure> {
+    let (file, bytes) = read_bytes(path)?;
+    let text = text(&file, bytes)?;
+    Ok((file, text))
+}
+
+/// Returns the name that messages use for a file, and what the file holds. The path `-` is standard input.
+pub fn read_bytes(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let stdin = path.as_os_str() == "-";
     let file = if stdin { "stdin".into() } else { path.to_string_lossy().into_owned() };
     let mut bytes = Vec::new();
@@ -21,11 +28,10 @@ pub fn read(path: &Path) -> Result<(String, String), Failure> {
     } else {
         fs::read(path)
     };
-    let text = match read {
-        Ok(bytes) => text(&file, bytes)?,
-        Err(error) => return Err(unreadable(&file, &error)),
-    };
-    Ok((file, text))
+    match read {
+        Ok(bytes) => Ok((file, bytes)),
+        Err(error) => Err(unreadable(&file, &error)),
+    }
 }
 
 fn text(file: &str, mut bytes: Vec<u8>) -> Result<String, Failure> {

@@ -57,3 +57,27 @@ fn beyond(steps: usize, inside: impl Fn(usize) -> f64) -> f64 {
         [[508.0, -540.0, 488.0, -367.0, 144.0, -24.0], [884.0, -1960.0, 3033.0, -2648.0, 1080.0, -180.0]];
     weights[steps].iter().enumerate().map(|(k, weight)| weight * inside(k)).sum::<f64>() / 209.0
 }
+
+/// Returns the mean over each of 471 nanometers, of which the first is around `first_nm`, of straight lines between
+/// samples, which go on with the values `outside`.
+pub fn means(samples: &[(f64, f64)], first_nm: f64, outside: [f64; 2]) -> Vec<f64> {
+    let mut means = vec![0.0; 471];
+    let ends = (samples[0].0, samples[samples.len() - 1].0);
+    let mut add = |from: f64, to: f64, value: &dyn Fn(f64) -> f64| {
+        let cell = |nm: f64| (nm - first_nm + 0.5).floor().clamp(0.0, 470.0) as usize;
+        for (k, mean) in means.iter_mut().enumerate().take(cell(to) + 1).skip(cell(from)) {
+            let middle = first_nm + k as f64;
+            let (low, high) = (from.max(middle - 0.5), to.min(middle + 0.5));
+            if high > low {
+                *mean += (high - low) * value(f64::midpoint(low, high));
+            }
+        }
+    };
+    add(f64::NEG_INFINITY, ends.0, &|_| outside[0]);
+    for pair in samples.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        add(a.0, b.0, &|nm| a.1 + (b.1 - a.1) * ((nm - a.0) / (b.0 - a.0)));
+    }
+    add(ends.1, f64::INFINITY, &|_| outside[1]);
+    means
+}

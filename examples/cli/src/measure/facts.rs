@@ -1,7 +1,7 @@
 //! Turns the numbers of a reading into labeled lines for the report and for the picture.
 
-use crate::measure::args::Unit;
-use crate::measure::reading::{Bench, Comparison, Difference, Reading};
+use crate::measure::level::Kind;
+use crate::measure::reading::{Comparison, Difference, Reading};
 use crate::output::number::{self, fixed, signed};
 
 /// A label and the text beside it.
@@ -11,10 +11,19 @@ pub struct Fact {
 }
 
 /// Returns the facts about the color, and those about the light if the reading is one of a light.
-pub fn facts(bench: &Bench, reading: &Reading) -> Vec<Fact> {
+///
+/// What a light does comes first, as it is what most instruments show.
+pub fn facts(reading: &Reading) -> Vec<Fact> {
     let mut facts = Facts(Vec::new());
-    facts.color(bench, reading);
-    facts.light(reading);
+    if reading.kind != Kind::Surface {
+        facts.strength(reading);
+        facts.light(reading);
+        facts.color(reading);
+        facts.photons(reading);
+        facts.receptors(reading);
+        return facts.0;
+    }
+    facts.color(reading);
     facts.0
 }
 
@@ -41,8 +50,64 @@ impl Facts {
         self.0.push(Fact { label: label.into(), value });
     }
 
-    fn color(&mut self, bench: &Bench, reading: &Reading) {
-        let unit = if bench.unit == Unit::Absolute { " lx" } else { "" };
+    /// Adds the power and what the eye sees of it.
+    fn strength(&mut self, reading: &Reading) {
+        let Some(level) = reading.kind.level() else { return };
+        let [unit, _] = level.radiant;
+        if let Some(power) = reading.strength.power {
+            self.add(level.name, format!("{} {unit}", significant(power)));
+        }
+        let [name, unit, _] = level.luminous;
+        if let Some(luminous) = reading.strength.luminous {
+            self.add(name, format!("{} {unit}", significant(luminous)));
+        }
+    }
+
+    /// Adds what plants receive.
+    fn photons(&mut self, reading: &Reading) {
+        let strength = &reading.strength;
+        if let (Some(ppfd), Some(epar)) = (reading.ppfd, strength.epar) {
+            self.add("PPFD, ePAR", format!("{}, {} µmol/m²/s", significant(ppfd), significant(epar)));
+        }
+        let bands = strength.bands.iter().filter_map(|(name, share, _)| {
+            Some(format!("{} {} %", name.replace('_', " "), fixed((*share)? * 100.0, 1)))
+        });
+        let bands: Vec<String> = bands.collect();
+        if !bands.is_empty() {
+            self.add("photons of 400..700", bands.join(", "));
+        }
+        if let Some(ratio) = strength.r_fr {
+            self.add("R:FR", number::significant(ratio, 4));
+        }
+        if let Some(shape) = &reading.shape {
+            let nm = |value: Option<f64>| {
+                value.map_or("unknown".into(), |value| format!("{} nm", fixed(value, 1)))
+            };
+            let value = format!("{}, {}, {}", nm(Some(shape.peak)), nm(shape.centroid), nm(shape.width));
+            self.add("peak, centroid, FWHM", value);
+        }
+    }
+
+    /// Adds what the five receptors of the eye receive.
+    fn receptors(&mut self, reading: &Reading) {
+        let receptors = &reading.strength.receptors;
+        let ratios: Option<Vec<String>> =
+            receptors.iter().map(|receptor| receptor.der.map(|der| fixed(der, 4))).collect();
+        if let Some(ratios) = ratios.filter(|ratios| !ratios.is_empty()) {
+            self.add("DER S M L rods mel", ratios.join("  "));
+        }
+        let levels: Option<Vec<String>> = receptors
+            .iter()
+            .map(|receptor| receptor.equivalent.map(|level| number::significant(level, 4)))
+            .collect();
+        if let Some(levels) = levels.filter(|levels| !levels.is_empty()) {
+            let (label, unit) = if reading.kind == Kind::Radiance { ("EDL", "cd/m2") } else { ("EDI", "lx") };
+            self.add(format!("{label} S M L rods mel"), format!("{} {unit}", levels.join("  ")));
+        }
+    }
+
+    fn color(&mut self, reading: &Reading) {
+        let unit = reading.kind.level().map_or(String::new(), |level| format!(" {}", level.luminous[1]));
         let [x, y, z] = reading.xyz.map(significant);
         self.add("X  Y  Z", format!("{x}  {y}  {z}{unit}"));
         if let Some(p) = reading.xy {
@@ -57,7 +122,7 @@ impl Facts {
         if let Some(lab) = reading.lab {
             self.add("L* a* b*", number::all([lab.l, lab.a, lab.b], 3, "  "));
         }
-        if let Some(delta) = reading.delta_e2000 {
+        if let Some(delta) = reading.delta_e2000_to_white {
             self.add("CIEDE2000 to white", fixed(delta, 3));
         }
         if let (Some(rgb), Some(hex)) = (reading.srgb, &reading.hex) {
@@ -74,26 +139,18 @@ impl Facts {
             self.add("CCT, Duv", format!("{} K, {}", kelvin(cct), signed(duv, 5)));
         }
         if let (Some(ra), Some(r)) = (reading.cri_ra, reading.cri_r) {
-            self.add("CRI Ra", fixed(ra, 2));
+            let limit = if reading.cri_is_valid == Some(false) { " (beyond CIE 13.3's limit)" } else { "" };
+            self.add("CRI Ra, R9", format!("{}, {}{limit}", fixed(ra, 2), fixed(r[8], 1)));
             for (k, part) in r.chunks(5).enumerate() {
                 let cells = number::all(part.iter().copied(), 1, "  ");
                 self.add(format!("R{}..R{}", 5 * k + 1, 5 * k + part.len()), cells);
             }
         }
         if let (Some(rf), Some(rg)) = (reading.tm30_rf, reading.tm30_rg) {
-            self.add("TM-30 Rf, Rg", number::all([rf, rg], 2, ", "));
+            self.add("TM-30-20 Rf, Rg", number::all([rf, rg], 2, ", "));
         }
         if let Some(ler) = reading.ler_lm_per_w {
             self.add("efficacy (LER)", format!("{} lm/W", fixed(ler, 2)));
-        }
-        if let Some(ratio) = reading.melanopic_edi_ratio {
-            self.add("melanopic EDI ratio", fixed(ratio, 4));
-        }
-        if let Some(lux) = reading.lux {
-            self.add("illuminance", format!("{} lx", significant(lux)));
-        }
-        if let Some(ppfd) = reading.ppfd {
-            self.add("PPFD", format!("{} µmol/m²/s", significant(ppfd)));
         }
     }
 }

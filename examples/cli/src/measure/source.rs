@@ -4,11 +4,13 @@ use crate::failure::{Failure, short};
 use crate::input::bands;
 use crate::measure::args::Between;
 use crate::measure::exact;
+use crate::measure::level::Kind;
 use crate::output::number::shortest;
-use crate::usage::name_of;
 use nanospectra::observer::NamedObserver;
 use nanospectra::{Factor, Fine, Interpolation, Outside, Power, Quantity, SamplesError};
+use std::ops::RangeInclusive;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The ends of the CIE grid, in nm.
 const FIRST: f64 = 360.0;
@@ -21,18 +23,58 @@ const VISIBLE_TO: f64 = 780.0;
 const MOST_REFLECTANCE: f64 = 2.0;
 /// The step, in nm, above which a note is given. CIE 15 asks for 5 nm or less.
 const COARSE_NM: f64 = 20.0;
+/// The step, in nm, below which samples are averaged over each nanometer. (A step of 1 nm may be rounded.)
+const FINE_NM: f64 = 0.999;
+/// The steps, in nm, for which Sprague's rule is nearer to spectra at 1 nm than straight lines are: see
+/// `--interpolation` in the manual for the measurement.
+const SPRAGUE_NM: RangeInclusive<f64> = 4.999..=20.001;
+/// The fewest samples for that rule.
+const SPRAGUE_LEAST: usize = 6;
+/// How far a sample may be from its place, as a share of the step, if steps are equal.
+const EQUAL: f64 = 1e-4;
 
 /// A spectrum as it was read from a column of a file.
 #[derive(Debug)]
 pub struct Source {
     pub file: Rc<str>,
     pub name: String,
-    /// The line of each sample, counted from 1.
-    pub lines: Rc<[usize]>,
+    /// Where it was read and who says what its numbers are, unless nothing had to be found out.
+    pub origin: Option<String>,
+    pub kind: Kind,
+    /// What was stated, assumed and left out.
+    pub notes: Rc<[String]>,
+    /// What the file says beside its spectra, as names with their values.
+    pub stated: Rc<[(String, String)]>,
+    /// The line of each sample, counted from 1, or 0 if the file has no lines.
+    pub lines: Arc<[usize]>,
     /// The pairs (wavelength in nm, value): at least two, finite, with increasing wavelengths.
     pub samples: Vec<(f64, f64)>,
-    /// Whether the values are averages over bands around the wavelengths, and not points of a curve.
-    pub are_averages: bool,
+    /// The edges of the bands over which the values are averages, or `None` for points of a curve.
+    pub edges: Option<Vec<f64>>,
+}
+
+/// The rule that brings samples to 1 nm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// Straight lines, read at whole nanometers.
+    Linear,
+    Sprague,
+    /// The means of straight lines over each nanometer.
+    Means,
+    /// Averages over bands, which are constant within each.
+    Bands,
+}
+
+impl Rule {
+    /// Returns the name in the report.
+    pub fn name(self) -> &'static str {
+        match self {
+            Rule::Linear => "linear",
+            Rule::Sprague => "sprague",
+            Rule::Means => "means",
+            Rule::Bands => "averages",
+        }
+    }
 }
 
 /// A light on the CIE grid, where the numbers of the file are `power` times `scale`.
@@ -45,7 +87,7 @@ pub struct Lamp {
 
 impl Source {
     /// Returns the spectrum as a light, which is zero outside its samples.
-    pub fn light(&self, by: Interpolation) -> Result<Lamp, Failure> {
+    pub fn light(&self, by: Between) -> Result<Lamp, Failure> {
         self.check_reach()?;
         let peak = self.samples.iter().map(|sample| sample.1.abs()).fold(0.0, f64::max);
         if peak == 0.0 {
@@ -66,19 +108,35 @@ impl Source {
     }
 
     /// Returns the spectrum as a reflectance, which keeps its end values outside its samples.
-    pub fn reflectance(&self, by: Interpolation) -> Result<Fine<Factor>, Failure> {
+    pub fn reflectance(&self, by: Between) -> Result<Fine<Factor>, Failure> {
         self.check_reach()?;
-        for ((_, value), line) in self.samples.iter().zip(&*self.lines) {
-            if *value > MOST_REFLECTANCE {
-                let name = short(&self.name);
-                let value = shortest(*value);
-                let what = format!(
-                    "'{name}' is {value}, which is not a reflectance; give shares of 0..1, not percent or power"
-                );
-                return Err(Failure::at(&self.file, *line, what));
-            }
+        let above = self.samples.iter().position(|(_, value)| *value > MOST_REFLECTANCE);
+        // A white that is shinier than its standard exceeds 1 here and there, but not everywhere.
+        let all = || self.samples.iter().all(|(_, value)| *value > 1.0).then_some(0);
+        if let Some(k) = above.or_else(all) {
+            let value = shortest(self.samples[k].1);
+            return Err(self.wrong_at(
+                k,
+                &format!("{value} is not a reflectance; give --percent if it is percent, or shares of 0..1"),
+            ));
         }
         self.fine(by, |value| value)
+    }
+
+    /// Returns the power of all samples, visible or not, in the unit of its kind without the nm.
+    pub fn power(&self) -> f64 {
+        match &self.edges {
+            Some(edges) => edges
+                .windows(2)
+                .zip(&self.samples)
+                .map(|(edges, (_, value))| value * (edges[1] - edges[0]))
+                .sum(),
+            None => self
+                .samples
+                .windows(2)
+                .map(|pair| (pair[1].0 - pair[0].0) * f64::midpoint(pair[0].1, pair[1].1))
+                .sum(),
+        }
     }
 
     /// Returns the failure of a light that `eye` does not see.
@@ -91,33 +149,75 @@ impl Source {
 
     /// Returns a failure of the spectrum as a whole, at its first row.
     pub fn wrong(&self, what: &str) -> Failure {
-        Failure::at(&self.file, self.lines[0], format!("'{}': {what}", short(&self.name)))
+        self.wrong_at(0, what)
     }
 
-    fn fine<Q: Quantity>(&self, by: Interpolation, scaled: impl Fn(f64) -> f64) -> Result<Fine<Q>, Failure> {
-        if self.are_averages {
-            return Ok(self.steps(scaled));
+    /// Returns a failure at a sample.
+    fn wrong_at(&self, k: usize, what: &str) -> Failure {
+        let what = format!("'{}': {what}", short(&self.name));
+        match self.lines.get(k) {
+            Some(line) if *line > 0 => Failure::at(&self.file, *line, what),
+            _ => Failure::of(&self.file, what),
         }
+    }
+
+    /// Returns the rule by which the samples become a spectrum at 1 nm.
+    pub fn rule(&self, between: Between) -> Rule {
+        match between {
+            _ if self.edges.is_some() => Rule::Bands,
+            Between::Linear => Rule::Linear,
+            Between::Sprague => Rule::Sprague,
+            Between::Auto if self.is_fine() => Rule::Means,
+            Between::Auto if self.is_regular() => Rule::Sprague,
+            Between::Auto => Rule::Linear,
+        }
+    }
+
+    /// Returns whether samples of the visible are nearer than whole nanometers.
+    fn is_fine(&self) -> bool {
+        let steps = self.samples.windows(2).filter(|pair| pair[1].0 > FIRST && pair[0].0 < LAST);
+        steps.map(|pair| pair[1].0 - pair[0].0).any(|step| step < FINE_NM)
+    }
+
+    /// Returns whether the steps are equal and of a width for which Sprague's rule is better than straight lines.
+    fn is_regular(&self) -> bool {
+        let step = (self.ends().1 - self.ends().0) / (self.samples.len() - 1) as f64;
+        let is_equal = |k: usize| {
+            let expected = self.samples[0].0 + step * k as f64;
+            (self.samples[k].0 - expected).abs() <= EQUAL * step
+        };
+        self.samples.len() >= SPRAGUE_LEAST
+            && SPRAGUE_NM.contains(&step)
+            && (0..self.samples.len()).all(is_equal)
+    }
+
+    fn fine<Q: Quantity>(&self, by: Between, scaled: impl Fn(f64) -> f64) -> Result<Fine<Q>, Failure> {
+        let interpolation = match self.rule(by) {
+            Rule::Bands => return Ok(self.steps(scaled)),
+            Rule::Means => return Ok(self.means(scaled)),
+            Rule::Linear => Interpolation::Linear,
+            Rule::Sprague => Interpolation::Sprague,
+        };
         let samples: Vec<(f32, f32)> =
             self.samples.iter().map(|(nm, value)| (*nm as f32, scaled(*value) as f32)).collect();
-        let at = |index: usize, what| Failure::at(&self.file, self.lines[index], what);
-        let mut fine = Fine::interpolated(&samples, by).map_err(|error| match error {
-            SamplesError::NotRegular { index } => {
-                at(index, "this row is off the regular step that sprague needs; use --interpolation linear")
-            }
+        let mut fine = Fine::interpolated(&samples, interpolation).map_err(|error| match error {
+            SamplesError::NotRegular { index } => self.wrong_at(
+                index,
+                "this row is off the regular step that sprague needs; use --interpolation linear",
+            ),
             SamplesError::TooFew { needed } => {
                 self.wrong(&format!("there are fewer than {needed} samples; use --interpolation linear"))
             }
             // These are distinct in f64: a file may list wavelengths closer than f32 can tell apart.
             SamplesError::NotIncreasing { index } => {
-                at(index, "this row is less than 0.0001 nm above the one before; merge the two")
+                self.wrong_at(index, "this row is less than 0.0001 nm above the one before; merge the two")
             }
             other => self.wrong(&format!("{other}; correct the file")),
         })?;
         if exact::is_needed(&self.samples) {
             for (value, nm) in fine.values_mut().iter_mut().zip(360..) {
                 let nm = f64::from(nm);
-                let read = exact::at(&self.samples, nm, by);
+                let read = exact::at(&self.samples, nm, interpolation);
                 *value = match (read, Q::OUTSIDE) {
                     (Some(read), _) => scaled(read) as f32,
                     (None, Outside::Zero) => 0.0,
@@ -131,23 +231,26 @@ impl Source {
 
     /// Returns averages over bands at 1 nm: each nanometer has the mean of the bands that it lies in.
     fn steps<Q: Quantity>(&self, scaled: impl Fn(f64) -> f64) -> Fine<Q> {
-        let (wavelengths, averages): (Vec<f64>, Vec<f64>) =
-            self.samples.iter().map(|(nm, value)| (*nm, scaled(*value))).unzip();
-        let edges = bands::edges(&wavelengths);
-        let outside = match Q::OUTSIDE {
-            Outside::Zero => [0.0, 0.0],
-            Outside::Hold => [averages[0], averages[averages.len() - 1]],
-        };
+        let averages: Vec<f64> = self.samples.iter().map(|(_, value)| scaled(*value)).collect();
+        let edges = self.edges.as_deref().unwrap_or(&[]);
+        let outside = outside::<Q>([averages[0], averages[averages.len() - 1]]);
         let mut fine = Fine::flat(0.0);
         for (value, nm) in fine.values_mut().iter_mut().zip(360..) {
-            *value = bands::mean(&edges, &averages, f64::from(nm), outside) as f32;
+            *value = bands::mean(edges, &averages, f64::from(nm), outside) as f32;
         }
         fine
     }
 
-    /// Returns the name of the rule by which the samples become a spectrum at 1 nm.
-    pub fn rule(&self, between: Between) -> String {
-        if self.are_averages { "averages".into() } else { name_of(between) }
+    /// Returns the means over each nanometer of straight lines between the samples, so that the power of a line
+    /// counts wherever it lies.
+    fn means<Q: Quantity>(&self, scaled: impl Fn(f64) -> f64) -> Fine<Q> {
+        let samples: Vec<(f64, f64)> = self.samples.iter().map(|(nm, value)| (*nm, scaled(*value))).collect();
+        let outside = outside::<Q>([samples[0].1, samples[samples.len() - 1].1]);
+        let mut fine = Fine::flat(0.0);
+        for (value, mean) in fine.values_mut().iter_mut().zip(exact::means(&samples, 360.0, outside)) {
+            *value = mean as f32;
+        }
+        fine
     }
 
     fn ends(&self) -> (f64, f64) {
@@ -172,9 +275,10 @@ impl Source {
     }
 
     /// Returns notes on how the samples were used.
-    pub fn remarks<Q: Quantity>(&self, by: Interpolation) -> Vec<String> {
+    pub fn remarks<Q: Quantity>(&self, by: Between) -> Vec<String> {
         let mut remarks = Vec::new();
-        if self.are_averages {
+        let rule = self.rule(by);
+        if rule == Rule::Bands {
             remarks
                 .push("the values are averages over bands, and the spectrum is constant within each".into());
         }
@@ -188,9 +292,9 @@ impl Source {
             remarks.push(format!("the samples cover {first}..{last} nm; what is outside {fate}"));
         }
         let inside = self.samples.iter().filter(|(nm, _)| (FIRST..=LAST).contains(nm)).count();
-        // Sprague's rule reads six samples for each nanometer, and so nearly all of them.
+        // The other rules read all samples, or nearly all.
         let unread = self.between_nodes();
-        if unread > 0 && by == Interpolation::Linear && !self.are_averages {
+        if unread > 0 && rule == Rule::Linear {
             remarks.push(format!(
                 "the steps are finer than 1 nm, but the sum reads whole nanometers: {unread} of {inside} samples \
                  do not count, and narrow lines between whole nanometers are missed"
@@ -205,7 +309,7 @@ impl Source {
             remarks.push(format!("{negative} negative values are used as they are"));
         }
         let widest = self.samples.windows(2).map(|pair| pair[1].0 - pair[0].0).fold(0.0, f64::max);
-        if widest > COARSE_NM && !self.are_averages {
+        if widest > COARSE_NM && rule != Rule::Bands {
             remarks.push(format!(
                 "the steps are up to {} nm wide; what lies between the samples is unknown",
                 shortest(widest)
@@ -228,5 +332,13 @@ impl Source {
             nm.fract() != 0.0 && reader >= after && (FIRST..=LAST).contains(&nm)
         };
         (0..samples.len()).filter(|k| unread(*k)).count()
+    }
+}
+
+/// Returns the values outside the samples, whose first and last values are these.
+fn outside<Q: Quantity>(ends: [f64; 2]) -> [f64; 2] {
+    match Q::OUTSIDE {
+        Outside::Zero => [0.0, 0.0],
+        Outside::Hold => ends,
     }
 }

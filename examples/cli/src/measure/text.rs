@@ -1,8 +1,8 @@
 //! Writes a reading as a report for people.
 
 use crate::failure::{printable, shown};
-use crate::measure::args::Unit;
 use crate::measure::facts::{self, Fact};
+use crate::measure::level::Kind;
 use crate::measure::reading::{Bench, Note, Reading};
 use crate::output::Report;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolo
         let patch = report.patch(srgb.map(|c| (c * 255.0).round() as u8), 16);
         report.line(format_args!("  {patch}\n  {patch}\n"));
     }
-    rows(&mut report, &facts::facts(bench, reading));
+    rows(&mut report, &facts::facts(reading));
     if let Some(path) = picture {
         report.path("picture", path);
     }
@@ -35,12 +35,16 @@ pub fn report(bench: &Bench, reading: &Reading, picture: Option<&Path>, truecolo
 
 fn title(bench: &Bench, reading: &Reading) -> String {
     let (name, file) = (shown(&reading.name, NAME), shown(&reading.file, FILE));
-    let kind = match (&bench.room, bench.unit) {
-        (Some(room), _) => format!("reflectance under {}", shown(&room.light.name, NAME)),
-        (None, Unit::Relative) => "light, relative".into(),
-        (None, Unit::Absolute) => "light, W/m2/nm".into(),
+    let kind = match reading.kind {
+        Kind::Surface => format!("reflectance under {}", shown(&bench.room.light.name, NAME)),
+        kind => format!("light, {}", kind.unit()),
     };
-    format!("{name}   ({file}: {kind}; {}; {} to 1 nm)\n", bench.eye.title, reading.rule)
+    let read = reading
+        .origin
+        .as_ref()
+        .map_or(String::new(), |origin| format!("  read from {}\n", shown(origin, FILE)));
+    let rule = reading.rule.map_or("", |rule| rule.name());
+    format!("{name}   ({file}: {kind}; {}; {rule} to 1 nm)\n{read}", bench.eye.title)
 }
 
 fn rows(report: &mut Report, facts: &[Fact]) {

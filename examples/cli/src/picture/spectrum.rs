@@ -24,12 +24,17 @@ pub fn points(spectrum: &[(f32, f32)]) -> Vec<(f64, f64)> {
     spectrum.iter().map(|(nm, value)| (f64::from(*nm), f64::from(*value))).collect()
 }
 
+/// The share of the height by which a curve may leave the axis at its foot.
+const SLIGHT: f64 = 0.01;
+
 pub fn draw(area: Area, titles: [&str; 2], spectrum: &Spectrum) -> Group {
     let (Some(first), Some(last)) = (spectrum.filled.first(), spectrum.filled.last()) else {
         return Group::new();
     };
     let values = || spectrum.filled.iter().chain(spectrum.dashed).map(|point| point.1);
     let (low, high) = (values().fold(0.0, f64::min), values().fold(spectrum.high, f64::max));
+    // What Sprague's rule or noise takes below zero may stand a little below the axis.
+    let low = if low > -SLIGHT * high { 0.0 } else { low };
     let frame = Frame { area, x: Axis::between(first.0, last.0, 50.0), y: Axis::holding(low, high) };
     let base = |nm: f64| frame.place(nm, 0.0);
     let line_to = |data: Data, point: &(f64, f64)| data.line_to(frame.place(point.0, point.1));

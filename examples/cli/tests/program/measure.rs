@@ -51,7 +51,7 @@ fn keys_stand_in_order_and_every_null_has_a_note_with_its_key() {
     let nulls =
         |reading: &Value| KEYS.split(' ').filter(|key| reading[key].is_null()).collect::<Vec<_>>().join(" ");
     assert_eq!(nulls(lamp), "lux lab ppfd");
-    assert!(has_note(lamp, "delta_e2000", "surface") && has_note(lamp, "srgb", "Y = 100"));
+    assert!(has_note(lamp, "delta_e2000_to_white", "surface") && has_note(lamp, "srgb", "Y = 100"));
     let of_the_light = "cct_k duv lux ler_lm_per_w cri_ra cri_r tm30_rf tm30_rg melanopic_edi_ratio ppfd";
     assert_eq!(nulls(surface), of_the_light);
     assert_eq!(surface["light"], "D65");
@@ -69,7 +69,7 @@ fn standard_illuminants_have_their_values() {
         ("illuminants/LED_5nm", "LED-B3", [100.8618895, 67.6339401], [4102.49576, -0.000600741], 316.8680626),
     ];
     for (file, name, [x, z], [cct_k, duv], ler) in expected {
-        let reading = table(file, name, &[]);
+        let reading = table(file, name, &["--interpolation", "linear"]);
         assert_all_near(&reading["XYZ"], &[x, 100.0, z], 1e-4);
         // 0.01 mired.
         assert_near(&reading["cct_k"], cct_k, cct_k * cct_k * 1e-8);
@@ -153,7 +153,7 @@ fn perfect_white_is_white_under_every_light_and_observer() {
             let reading = &MEASURE.json_with("400,1\n700,1\n", &options)[0];
             assert_near(&reading["XYZ"][1], 100.0, 1e-4);
             assert_all_near(&reading["lab"], &[100.0, 0.0, 0.0], 2e-4);
-            assert_near(&reading["delta_e2000"], 0.0, 3e-4);
+            assert_near(&reading["delta_e2000_to_white"], 0.0, 3e-4);
             assert_eq!(reading["hex"], "#ffffff", "{light} {observer}");
             assert!(reading["dominant_wavelength_nm"].is_null());
         }
@@ -166,7 +166,7 @@ fn black_is_a_color_of_surfaces() {
     assert_all_near(&reading["lab"], &[0.0, 0.0, 0.0], 0.0);
     assert_eq!(reading["hex"], "#000000");
     assert!(reading["xy"].is_null() && has_note(reading, "xy", "black"));
-    assert_near(&reading["delta_e2000"], 100.0, 1e-4);
+    assert_near(&reading["delta_e2000_to_white"], 100.0, 1e-4);
 }
 
 #[test]
@@ -185,9 +185,82 @@ fn absolute_input_has_lux_and_photons() {
     // 683.002 times 0.01 times the sum of V(lambda), 106.856895 (CIE 018).
     assert_near(&reading["lux"], 729.83473, 1e-3);
     assert_near(&reading["XYZ"][1], 729.83473, 1e-3);
-    // Sum of the wavelengths 400..=700 over h c N_A.
-    assert_near(&reading["ppfd"], 0.01 * 550.0 * 301.0 / 119.626_565_8, 1e-4);
-    assert_eq!(reading["unit"], "absolute");
+    // The integral of the wavelength over h c N_A.
+    let photons = |from: f64, to: f64| 0.01 * (to * to - from * from) / 2.0 / 119.626_565_8;
+    assert_near(&reading["ppfd"], photons(400.0, 700.0), 1e-5);
+    assert_near(&reading["epar"], photons(400.0, 750.0), 1e-5);
+    for (band, from, to) in
+        [("blue", 400.0, 500.0), ("green", 500.0, 600.0), ("red", 600.0, 700.0), ("far_red", 700.0, 800.0)]
+    {
+        assert_near(&reading["photons"][band], photons(from, to), 1e-5);
+        assert_near(&reading["photon_shares"][band], photons(from, to) / photons(400.0, 700.0), 1e-6);
+    }
+    assert_near(&reading["r_fr"], 660.0 / 730.0, 1e-6);
+    assert_near(&reading["irradiance_w_m2"], 4.7, 1e-9);
+    assert_eq!(reading["unit"], "W/m2/nm");
+}
+
+/// Melanopic and the others: an f64 model of CIE S 026.
+#[test]
+fn receptors_have_their_equivalent_daylight() {
+    let text = fs::read_to_string("../../tables/illuminants/FL_5nm.csv").expect("a table");
+    let reading = &MEASURE.json_with(&text, &["-", "--column", "FL4", "--lux", "500"])[0];
+    let light = model::tables::source("FL4")
+        .on_cie_grid(model::interpolation::Interpolation::Sprague, model::interpolation::Outside::Zero);
+    let ratios = model::photometry::Photometry::of(&light).alpha_opic_der();
+    // The ratios are to the illuminance of 380..=780 nm, which has nearly all of it.
+    for (receptor, der) in ["s_cone", "m_cone", "l_cone", "rhodopic", "melanopic"].into_iter().zip(ratios) {
+        let one = &reading["alpha_opic"][receptor];
+        assert_near(&one["der"], der, 1e-6);
+        assert_near(&one["edi_lx"], 500.0 * der, 1e-3);
+        // CIE S 026: 1 lx of daylight has these mW/m2.
+        let daylight = number(&one["irradiance_w_m2"]) / number(&one["edi_lx"]) * 1000.0;
+        let published = [0.8173, 1.4558, 1.6289, 1.4497, 1.3262];
+        assert!(published.iter().any(|value| (value - daylight).abs() < 1e-4), "{receptor}: {daylight}");
+    }
+    assert_near(&reading["lux"], 500.0, 1e-4);
+    assert_eq!(reading["unit"], "W/m2/nm");
+}
+
+#[test]
+fn each_unit_has_the_readings_of_its_kind() {
+    let flat = "360 0.01\n830 0.01\n";
+    // 683.002 times 0.01 times the sum of V(lambda), 106.856895 (CIE 018).
+    let luminous = 729.834_73;
+    for (unit, key, factor) in [
+        ("W/m2/nm", "lux", 1.0),
+        ("mW/m2/nm", "lux", 1e-3),
+        ("uW/cm2/nm", "lux", 1e-2),
+        ("W/m2/sr/nm", "luminance_cd_m2", 1.0),
+        ("W/nm", "luminous_flux_lm", 1.0),
+        ("mW/sr/nm", "luminous_intensity_cd", 1e-3),
+    ] {
+        let reading = &MEASURE.json_with(flat, &["--unit", unit, "-"])[0];
+        assert_near(&reading[key], luminous * factor, 1e-3 * factor);
+        assert_near(&reading["XYZ"][1], luminous * factor, 1e-3 * factor);
+        assert_eq!(reading["lux"].is_null(), key != "lux", "{unit}");
+        assert_eq!(reading["ppfd"].is_null(), key != "lux", "{unit}");
+    }
+    let photons: String = (380..=780).map(|nm| format!("{nm},0.01\n")).collect();
+    let photons = &MEASURE.json_with(&photons, &["--unit", "umol/m2/s/nm", "-"])[0];
+    assert_near(&photons["ppfd"], 3.0, 1e-5);
+    let counts = &MEASURE.json_with(flat, &["--unit", "counts", "-"])[0];
+    assert!(counts["lux"].is_null() && has_note(counts, "lux", "relative"));
+}
+
+#[test]
+fn relative_light_is_scaled_to_a_known_reading() {
+    let lamp = "nm,lamp\n400,1\n500,3\n600,2\n700,4\n";
+    let usual = &MEASURE.json_with(lamp, &["--unit", "absolute", "-"])[0];
+    let lux = &MEASURE.json_with(lamp, &["--lux", "250", "-"])[0];
+    let factor = 250.0 / number(&usual["lux"]);
+    assert_near(&lux["lux"], 250.0, 1e-4);
+    assert_near(&lux["ppfd"], number(&usual["ppfd"]) * factor, 1e-5);
+    assert_near(&lux["irradiance_w_m2"], number(&usual["irradiance_w_m2"]) * factor, 1e-6);
+    assert!(has_note(lux, "data", "scaled to 250 lx"));
+    let ppfd = &MEASURE.json_with(lamp, &["--ppfd", "100", "-"])[0];
+    assert_near(&ppfd["ppfd"], 100.0, 1e-4);
+    assert_near(&ppfd["lux"], number(&usual["lux"]) * 100.0 / number(&usual["ppfd"]), 1e-2);
 }
 
 #[test]
@@ -207,7 +280,15 @@ fn strength_changes_nothing_but_the_absolute_numbers() {
 
 #[test]
 fn separators_line_ends_and_comments_make_no_difference() {
-    let wanted = &MEASURE.json_with("nm,lamp\n400,1\n500,2.5\n700,0.5\n", &["-"])[0];
+    // But where it was read, and what was assumed of the axis.
+    let read = |text: &str| {
+        let mut reading = MEASURE.json_with(text, &["-"]).remove(0);
+        reading["read"].take();
+        let notes = reading["notes"].as_array_mut().expect("notes");
+        notes.retain(|note| !note.as_str().unwrap_or("").starts_with("read: "));
+        reading
+    };
+    let wanted = read("nm,lamp\n400,1\n500,2.5\n700,0.5\n");
     let variants = [
         "nm;lamp\n400;1\n500;2.5\n700;0.5\n",
         "nm\tlamp\n400\t1\n500\t2.5\n700\t0.5",
@@ -220,7 +301,7 @@ fn separators_line_ends_and_comments_make_no_difference() {
         "\"nm\",\"lamp\"\n\"400\",\"1\"\n\"500\",\"2.5\"\n\"700\",\"0.5\"\n",
     ];
     for variant in variants {
-        assert_eq!(&MEASURE.json_with(variant, &["-"])[0], wanted, "{variant:?}");
+        assert_eq!(read(variant), wanted, "{variant:?}");
     }
 }
 
@@ -245,9 +326,99 @@ fn spectra_are_named_by_the_heading_or_else_by_the_file() {
     assert_eq!(names("", &files), ["lamp.one", "two:1", "two:2"]);
 }
 
+/// Every tenth nanometer of spectra at 1 nm: white LEDs of the CIE, and the samples of TM-30.
+#[test]
+fn interpolation_by_default_comes_nearer_than_straight_lines() {
+    let coarse = |file: &str| {
+        let text = fs::read_to_string(format!("../../tables/{file}.csv")).expect("a table");
+        let is_kept = |line: &&str| {
+            let nm = line.split(',').next().and_then(|cell| cell.parse::<u32>().ok());
+            nm.is_none_or(|nm| nm % 10 == 0 && (380..=780).contains(&nm))
+        };
+        let rows = text.lines().filter(|line| !line.starts_with('#'));
+        let visible = |line: &&str| {
+            line.split(',')
+                .next()
+                .and_then(|cell| cell.parse().ok())
+                .is_none_or(|nm| (380..=780).contains(&nm))
+        };
+        let join = |rows: Vec<&str>| rows.join("\n");
+        (join(rows.clone().filter(visible).collect()), join(rows.filter(is_kept).collect()))
+    };
+    let worst = |key: &str, [whole, coarse]: [&str; 2], options: &[&str]| {
+        let [whole, coarse] =
+            [whole, coarse].map(|text| MEASURE.json_with(text, &[&["-"], options].concat()));
+        let apart = |(a, b): (&Value, &Value)| {
+            let squares = numbers(&a[key]).into_iter().zip(numbers(&b[key])).map(|(a, b)| (a - b).powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        whole.iter().zip(&coarse).map(apart).fold(0.0, f64::max)
+    };
+    let (whole, coarse_lamps) = coarse("illuminants/LED_1nm");
+    let lines = worst("xy", [&whole, &coarse_lamps], &["--interpolation", "linear"]);
+    let usual = worst("xy", [&whole, &coarse_lamps], &[]);
+    assert!(lines > 5.0 * usual && lines < 1.1e-3 && usual < 1.5e-4, "{lines} and {usual}");
+    let (whole, coarse_samples) = coarse("samples/cie224_ces99_1nm");
+    let lines = worst("lab", [&whole, &coarse_samples], &["--reflectance", "--interpolation", "linear"]);
+    let usual = worst("lab", [&whole, &coarse_samples], &["--reflectance"]);
+    assert!(lines > 4.0 * usual && lines < 0.46 && usual < 0.114, "{lines} and {usual}");
+}
+
+/// A line 0.2 nm wide has its power wherever it lies; the exact sums are those of an f64 model at 0.1 nm.
+#[test]
+fn narrow_lines_between_nanometers_keep_their_power() {
+    let lamp = |line_nm: f64| {
+        let rows = (3800..=7800).map(|tenth| {
+            let nm = f64::from(tenth) / 10.0;
+            let value = 0.001 + (10.0 - (nm - line_nm).abs() * 50.0).max(0.0);
+            format!("{nm:.1},{value}\n")
+        });
+        MEASURE.json_with(&rows.collect::<String>(), &["-", "--unit", "absolute"]).remove(0)
+    };
+    let [whole, between] = [532.0, 532.5].map(lamp);
+    for (reading, nm) in [(&whole, 532.0), (&between, 532.5)] {
+        assert_eq!(reading["interpolation"], "means");
+        assert_near(&reading["irradiance_w_m2"], 2.4, 1e-9);
+        // 2 W at the line and a thousandth of a watt for each nanometer beside it.
+        assert_near(
+            &reading["ppfd"],
+            (2.0 * nm + 0.001 * (700.0f64.powi(2) - 400.0f64.powi(2)) / 2.0) / 119.626_565_8,
+            2e-4,
+        );
+    }
+    // Half of the line counts at each of its two neighbors.
+    let v = model::tables::function("cmf/v_photopic_1nm.csv", "V");
+    let more = model::photometry::KM * 2.0 * (v[533 - 360] - v[532 - 360]) / 2.0;
+    assert_near(&between["lux"], number(&whole["lux"]) + more, 1e-3);
+}
+
+#[test]
+fn a_table_has_a_row_for_each_spectrum() {
+    let lamps = "nm,\"a, b\",=c\n400,1,2\n500,2,1\n700,3,3\n";
+    let table = MEASURE.says_to(lamps, &["-", "--csv", "--unit", "mW/m2/nm"]);
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let heading = reader.headers().expect("a heading").clone();
+    let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().expect("rows");
+    let at = |row: usize, key: &str| {
+        let column = heading.iter().position(|name| name == key).unwrap_or_else(|| panic!("{key}"));
+        rows[row][column].to_owned()
+    };
+    assert_eq!((rows.len(), at(0, "name"), at(1, "name")), (2, "a, b".into(), "'=c".into()));
+    for (k, reading) in MEASURE.json_with(lamps, &["-", "--unit", "mW/m2/nm"]).iter().enumerate() {
+        for (key, value) in [
+            ("lux", &reading["lux"]),
+            ("XYZ.2", &reading["XYZ"][1]),
+            ("alpha_opic.melanopic.edi_lx", &reading["alpha_opic"]["melanopic"]["edi_lx"]),
+            ("photons.far_red", &reading["photons"]["far_red"]),
+        ] {
+            assert_near(value, at(k, key).parse().expect("a number"), 0.0);
+        }
+    }
+}
+
 #[test]
 fn notes_say_how_the_samples_were_used() {
-    let reading = |input: &str| MEASURE.json_with(input, &["-"]).remove(0);
+    let reading = |input: &str| MEASURE.json_with(input, &["-", "--interpolation", "linear"]).remove(0);
     assert!(has_note(&reading("400 1\n700 1\n"), "data", "400..700 nm; what is outside counts as zero"));
     assert!(has_note(&reading("300 1\n500 1\n900 1\n"), "data", "2 samples outside 360..830"));
     assert!(has_note(&reading("400 1\n500 -0.5\n600 3\n"), "data", "1 negative"));
@@ -279,8 +450,19 @@ fn what_is_no_white_has_no_color_temperature() {
 #[test]
 fn a_comparison_is_this_minus_the_other() {
     let warm = ["tables/illuminants/A_1nm.csv", "--compare", "tables/illuminants/D65_1nm.csv"];
-    let difference = &MEASURE.json(&warm)[0]["compare"];
+    let reading = &MEASURE.json(&warm)[0];
+    assert!(keys(reading).starts_with("name compare "), "{}", keys(reading));
+    let difference = &reading["compare"];
+    assert!(
+        keys(difference).starts_with("to delta_cct_k delta_duv delta_tm30_rf delta_e2000 "),
+        "{}",
+        keys(difference)
+    );
     assert_eq!(difference["to"], "D65");
+    // Lab of A with D65 as the white, both at Y = 100, and CIEDE2000 of that to the white: by the f64 model.
+    let [a, white] = [[109.8503153, 100.0, 35.5849301], [95.0470559, 100.0, 108.8828736]];
+    let apart = model::delta_e::de2000(model::lab::lab(a, white), [100.0, 0.0, 0.0]);
+    assert_near(&difference["delta_e2000"], apart, 1e-4 * apart);
     assert_near(&difference["delta_cct_k"], 2855.5427 - 6502.7121, 0.5);
     assert_all_near(&difference["delta_xy"], &[0.447573514 - 0.312726871, 0.407439444 - 0.329023207], 1e-6);
     assert_near(&difference["delta_duv"], -0.003205545, 1e-6);
@@ -329,7 +511,7 @@ fn a_piped_report_is_plain_text_whatever_the_names_hold() {
 #[test]
 fn wavelengths_that_f32_would_round_are_read_as_they_are() {
     let line = "nm,v\n545.3,0\n545.7,.3\n546.1,1\n546.5,.3\n546.9,0\n";
-    let found = &MEASURE.json_with(line, &["-", "--unit", "absolute"])[0];
+    let found = &MEASURE.json_with(line, &["-", "--unit", "absolute", "--interpolation", "linear"])[0];
     // By the rule in f64: 546 nm reads 0.825 and nothing else is on a whole nanometer.
     for (value, expected) in numbers(&found["XYZ"]).into_iter().zip([210.787_543, 554.513_089, 6.934_837]) {
         assert!((value / expected - 1.0).abs() < 3e-7, "{value} for {expected}");

@@ -27,8 +27,14 @@ fn the_readme_shows_what_the_program_says() {
         assert!(said.starts_with(shown), "{shown:?} is {said:?}");
     }
 
-    let refused = Program("measure", module_path!()).run_with("nm,a\n500,1\n490,2\n", &["-"]);
-    assert_eq!(block("lamp.csv:3"), refused.err.replace("stdin", "lamp.csv"));
+    let measure = Program("measure", module_path!());
+    let table = "nm,E (mW/m2/nm)\n500,1\n510,2\n";
+    let refused = measure.run_with(table, &["-", "--unit", "absolute"]);
+    assert_eq!(block("lamp.csv: "), refused.err.replace("stdin", "lamp.csv"));
+
+    let meter = measure.json_with(&block("Model Name").replace("...", "382;0,022"), &["-"]).remove(0);
+    assert_eq!(meter["read"], "lines 4..6, column 2 of 2, mW/m2/nm by 'E [mW/(m²·nm)]'");
+    assert_eq!(meter["unit"], "W/m2/nm");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Draws the chromaticity diagram of the observer, with the spectrum locus, the black bodies and the reading.
 
+use crate::measure::level::Kind;
 use crate::measure::reading::{Bench, Reading};
 use crate::output::{number, tint};
 use crate::picture::axis::{Axis, Frame};
@@ -34,7 +35,9 @@ pub fn draw(area: Area, bench: &Bench, reading: &Reading) -> Group {
         .add(outline(&frame, &locus))
         .add(wavelengths(&frame, eye))
         .add(black_bodies(&frame, eye));
-    if let Some(white) = bench.room.as_ref().and_then(|room| room.white().xy()) {
+    if reading.kind == Kind::Surface
+        && let Some(white) = bench.room.white().xy()
+    {
         group = group.add(cross(&frame, white));
     }
     if let Some(xy) = reading.xy {

@@ -3,8 +3,8 @@
 mod chromaticity;
 
 use crate::failure::{Failure, shown};
-use crate::measure::args::Unit;
 use crate::measure::facts;
+use crate::measure::level::Kind;
 use crate::measure::reading::{Bench, Reading};
 use crate::measure::text::NAME;
 use crate::output::Files;
@@ -61,41 +61,43 @@ fn file_name(name: &str, taken: &mut HashMap<String, usize>) -> String {
 
 fn page(bench: &Bench, reading: &Reading) -> Document {
     let diagram = Area { left: 730.0, top: 90.0, width: 340.0, height: 382.5 };
-    let under =
-        bench.room.as_ref().map(|room| format!("reflectance under {}", shown(&room.light.name, NAME)));
-    let subtitle = format!("{}  ·  {}", under.unwrap_or("light".into()), bench.eye.title);
+    let kind = match reading.kind {
+        Kind::Surface => format!("reflectance under {}", shown(&bench.room.light.name, NAME)),
+        _ => "light".into(),
+    };
+    let subtitle = format!("{kind}  ·  {}", bench.eye.title);
     picture::page(740.0, &shown(&reading.name, NAME), &subtitle)
-        .add(curve(bench, reading))
+        .add(curve(reading))
         .add(chromaticity::draw(diagram, bench, reading))
-        .add(numbers(bench, reading))
+        .add(numbers(reading))
         .add(swatch(reading))
 }
 
-fn curve(bench: &Bench, reading: &Reading) -> Group {
-    let (values, title) = ordinates(bench, reading);
+fn curve(reading: &Reading) -> Group {
+    let (values, title) = ordinates(reading);
     let shown: Vec<(f64, f64)> =
         (FIRST..=LAST).map(|nm| nm as f64).zip(values[FIRST - 360..=LAST - 360].iter().copied()).collect();
     let area = Area { left: 80.0, top: 90.0, width: 560.0, height: 330.0 };
     let spectrum = Spectrum { filled: &shown, ..Spectrum::default() };
-    spectrum::draw(area, ["wavelength / nm", title], &spectrum)
+    spectrum::draw(area, ["wavelength / nm", &title], &spectrum)
 }
 
 /// Returns the numbers to draw, and the title of their axis.
-fn ordinates(bench: &Bench, reading: &Reading) -> (Vec<f64>, &'static str) {
+fn ordinates(reading: &Reading) -> (Vec<f64>, String) {
     let times = |k: f64| reading.curve().values().iter().map(|value| f64::from(*value) * k).collect();
-    match (&bench.room, bench.unit) {
-        (Some(_), _) => (times(1.0), "reflectance"),
-        (None, Unit::Absolute) => (times(reading.scale()), "W / m² / nm"),
-        (None, Unit::Relative) => {
+    match (reading.kind, reading.kind.level()) {
+        (Kind::Surface, _) => (times(1.0), "reflectance".into()),
+        (_, Some(level)) => (times(reading.scale()), level.spectral.replace('/', " / ")),
+        (_, None) => {
             let peak = reading.curve().values().iter().copied().fold(0.0, f32::max);
-            (times(1.0 / f64::from(peak)), "relative spectral power")
+            (times(1.0 / f64::from(peak)), "relative spectral power".into())
         }
     }
 }
 
 /// Draws the facts in two columns under the spectrum.
-fn numbers(bench: &Bench, reading: &Reading) -> Group {
-    let facts = facts::facts(bench, reading);
+fn numbers(reading: &Reading) -> Group {
+    let facts = facts::facts(reading);
     let rows = facts.len().div_ceil(2).max(8);
     let mut group = Group::new();
     for (k, fact) in facts.iter().enumerate() {

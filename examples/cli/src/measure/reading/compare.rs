@@ -1,8 +1,8 @@
 //! Computes the difference between two spectra: this one minus the reference.
 
 use super::{Bench, Note, Reading};
-use crate::measure::args::Unit;
-use nanospectra::color::{Cie94Weights, cie76, cie94, ciede2000, cmc};
+use crate::measure::level::Kind;
+use nanospectra::color::{Cie94Weights, Xyz, cie76, cie94, ciede2000, cmc};
 
 /// The differences of a spectrum from the reference, with `None` where a number is not defined.
 pub struct Comparison {
@@ -19,15 +19,12 @@ pub enum Difference {
 }
 
 pub fn compare(bench: &Bench, this: &Reading, reference: &Reading) -> (Comparison, Vec<Note>) {
-    let mut differences = chromaticity(this, reference);
-    if bench.room.is_some() {
-        differences.extend(surfaces(this, reference));
-    } else {
-        differences.extend(lights(this, reference));
-    }
+    let is_surface = this.kind == Kind::Surface;
+    let mut differences = if is_surface { surfaces(this, reference) } else { lights(bench, this, reference) };
+    differences.extend(chromaticity(this, reference));
     let y_ratio = (reference.raw_y != 0.0).then(|| Difference::One(this.raw_y / reference.raw_y));
     differences.push(("y_ratio", y_ratio));
-    differences.push(("spectral_rms", spectral_rms(this, reference, bench.room.is_none())));
+    differences.push(("spectral_rms", spectral_rms(this, reference, !is_surface)));
 
     let is_finite = |difference: &Difference| match difference {
         Difference::One(value) => value.is_finite(),
@@ -41,7 +38,7 @@ pub fn compare(bench: &Bench, this: &Reading, reference: &Reading) -> (Compariso
     let missing = differences.iter().filter(|(_, value)| value.is_none());
     let mut notes: Vec<Note> =
         missing.map(|(key, _)| note(key, "it is not defined for these two spectra")).collect();
-    if bench.room.is_none() && bench.unit == Unit::Relative {
+    if !is_surface && (this.kind == Kind::Relative || this.kind != reference.kind) {
         notes.push(note(
             "y_ratio",
             "the ratio of the numbers as read means something only if both have the same unit",
@@ -59,13 +56,20 @@ fn chromaticity(this: &Reading, reference: &Reading) -> Vec<Row> {
     vec![("delta_xy", xy), ("delta_uv1976", distance)]
 }
 
-fn lights(this: &Reading, reference: &Reading) -> Vec<Row> {
+fn lights(bench: &Bench, this: &Reading, reference: &Reading) -> Vec<Row> {
+    let seen = |reading: &Reading| {
+        let seen = Xyz::from(bench.eye.functions.sees(&reading.curve()));
+        seen.with_y(100.0)
+    };
+    let apart =
+        seen(this).zip(seen(reference)).and_then(|(a, white)| Some((a.lab(white)?, white.lab(white)?)));
     let minus = |a: Option<f32>, b: Option<f32>| a.zip(b).map(|(a, b)| one(a - b));
     vec![
         ("delta_cct_k", minus(this.cct_k, reference.cct_k)),
         ("delta_duv", minus(this.duv, reference.duv)),
-        ("delta_cri_ra", minus(this.cri_ra, reference.cri_ra)),
         ("delta_tm30_rf", minus(this.tm30_rf, reference.tm30_rf)),
+        ("delta_e2000", apart.map(|(a, b)| one(ciede2000(a, b)))),
+        ("delta_cri_ra", minus(this.cri_ra, reference.cri_ra)),
         ("delta_tm30_rg", minus(this.tm30_rg, reference.tm30_rg)),
     ]
 }

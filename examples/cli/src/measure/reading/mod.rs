@@ -2,28 +2,44 @@
 
 mod compare;
 mod lamp;
+mod shape;
+mod strength;
 mod surface;
 
 pub use compare::{Comparison, Difference};
+pub use shape::Shape;
+pub use strength::Strength;
 
-use crate::failure::Failure;
-use crate::measure::args::{Args, Between, Unit};
+use crate::failure::{Failure, short};
+use crate::measure::args::{Args, Between};
 use crate::measure::input;
+use crate::measure::level::Kind;
 use crate::measure::lights::{self, Illuminant};
-use crate::measure::source::Source;
+use crate::measure::source::{Rule, Source};
 use nanospectra::color::{Lab, Rgb, Srgb, Uv1960, Uv1976, Xy, Xyz, dominant_wavelength};
 use nanospectra::observer::NamedObserver;
-use nanospectra::{Factor, Fine, FineObserver, Interpolation, Power};
+use nanospectra::{Factor, Fine, FineObserver, Power};
 use std::path::Path;
 use std::rc::Rc;
 
-/// The observer, the rule and the unit with which all spectra of a run are measured.
+/// The observer, the rule and the light on surfaces with which all spectra of a run are measured.
 pub struct Bench {
     pub eye: &'static NamedObserver,
     pub between: Between,
-    pub unit: Unit,
-    /// The light on the surfaces, if the spectra are reflectances.
-    pub room: Option<Room>,
+    pub room: Room,
+    /// Whether the user names the light on surfaces.
+    is_lit: bool,
+    /// What relative lights are scaled to.
+    pub scaled_to: Option<Known>,
+}
+
+/// A known reading of a light, to which its relative spectrum is scaled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Known {
+    /// In lx.
+    Illuminance(f64),
+    /// In umol/m2/s.
+    Ppfd(f64),
 }
 
 /// The light on a surface, and the observer under that light.
@@ -38,7 +54,13 @@ pub struct Room {
 pub struct Reading {
     pub file: Rc<str>,
     pub name: String,
-    /// XYZ, with Y = 100 for a relative light and for white under a light, and Y in lx for an absolute light.
+    /// Where it was read, and who says what its numbers are.
+    pub origin: Option<String>,
+    pub kind: Kind,
+    /// What the file says beside its spectra, as names with their values.
+    pub stated: Rc<[(String, String)]>,
+    /// XYZ, with Y = 100 for a relative light and for white under a light, and Y in the unit of photometry for
+    /// another light.
     pub xyz: [f64; 3],
     pub xy: Option<Xy>,
     pub uv1960: Option<Uv1960>,
@@ -55,16 +77,20 @@ pub struct Reading {
     pub purity: Option<f32>,
     pub cri_ra: Option<f32>,
     pub cri_r: Option<[f32; 15]>,
+    /// Whether the light is near enough to its reference that CIE 13.3 applies.
+    pub cri_is_valid: Option<bool>,
     pub tm30_rf: Option<f32>,
     pub tm30_rg: Option<f32>,
     pub melanopic_edi_ratio: Option<f32>,
     pub ppfd: Option<f64>,
-    pub delta_e2000: Option<f32>,
+    pub strength: Strength,
+    pub shape: Option<Shape>,
+    pub delta_e2000_to_white: Option<f32>,
     /// The difference to the spectrum that `--compare` names.
     pub compare: Option<Comparison>,
     pub notes: Vec<Note>,
-    /// The name of the rule by which the samples became a spectrum at 1 nm.
-    pub rule: String,
+    /// The rule by which the samples became a spectrum at 1 nm.
+    pub rule: Option<Rule>,
     curve: Option<Fine<Power>>,
     /// Y of `curve`.
     curve_y: f64,
@@ -83,23 +109,29 @@ pub struct Note {
 impl Bench {
     /// Makes the bench that the options describe.
     pub fn new(args: &Args) -> Result<Self, Failure> {
-        let mut bench =
-            Bench { eye: args.observer.0, between: args.interpolation, unit: args.unit, room: None };
-        if args.reflectance {
-            let name = args.light.as_deref().unwrap_or(Path::new("D65"));
-            let light = lights::find(name, bench.by(), bench.eye)?;
-            let eye = bench.eye.functions.under(&light.power).with_white_y(100.0);
-            let white = Xyz::from(eye.sees(&Fine::flat(1.0)));
-            bench.room = Some(Room { light, eye, white });
-        }
-        Ok(bench)
+        let eye = args.observer.0;
+        let name = args.light.as_deref().unwrap_or(Path::new("D65"));
+        let light = lights::find(name, args, eye)?;
+        let under = eye.functions.under(&light.power).with_white_y(100.0);
+        let white = Xyz::from(under.sees(&Fine::flat(1.0)));
+        Ok(Bench {
+            eye,
+            between: args.interpolation,
+            room: Room { light, eye: under, white },
+            is_lit: args.light.is_some(),
+            scaled_to: args.lux.map(Known::Illuminance).or(args.ppfd.map(Known::Ppfd)),
+        })
     }
 
     /// Computes all numbers about a spectrum.
     pub fn measure(&self, source: &Source) -> Result<Reading, Failure> {
-        let mut reading = match &self.room {
-            Some(room) => surface::measure(self, room, source),
-            None => lamp::measure(self, source),
+        if source.kind != Kind::Surface && self.is_lit {
+            return Err(source
+                .wrong("this is a light, and --light is for surfaces; give --reflectance, or leave it out"));
+        }
+        let mut reading = match source.kind {
+            Kind::Surface => surface::measure(self, source),
+            _ => lamp::measure(self, source),
         }?;
         reading.leave_out_what_is_not_finite();
         reading.explain_the_rest();
@@ -117,22 +149,24 @@ impl Bench {
     ) -> Result<Reading, Failure> {
         let mut reading = self.measure(source)?;
         if let Some(reference) = reference {
+            if (reading.kind == Kind::Surface) != (reference.kind == Kind::Surface) {
+                return Err(source.wrong(&format!(
+                    "one of this and '{}' is a light and the other a surface; compare two of a kind",
+                    short(&reference.name)
+                )));
+            }
             let (comparison, notes) = compare::compare(self, &reading, reference);
             reading.notes.extend(notes);
             reading.compare = Some(comparison);
         }
         Ok(reading)
     }
-
-    fn by(&self) -> Interpolation {
-        self.between.into()
-    }
 }
 
 /// Measures the spectrum that `--compare` names.
 pub fn reference(bench: &Bench, args: &Args) -> Result<Option<Reading>, Failure> {
     let Some(path) = &args.compare else { return Ok(None) };
-    bench.measure(&input::read_one(path, "--compare")?).map(Some)
+    bench.measure(&input::read_one(path, "--compare", args, &args.options())?).map(Some)
 }
 
 impl Room {
@@ -158,7 +192,11 @@ impl Reading {
         let mut reading = Reading {
             file: Rc::clone(&source.file),
             name: source.name.clone(),
-            rule: source.rule(bench.between),
+            origin: source.origin.clone(),
+            kind: source.kind,
+            stated: Rc::clone(&source.stated),
+            rule: Some(source.rule(bench.between)),
+            notes: source.notes.iter().map(|text| Note { key: "read".into(), text: text.clone() }).collect(),
             xyz: xyz.to_array().map(f64::from),
             xy: xyz.xy(),
             uv1960: xyz.uv1960(),
@@ -208,7 +246,7 @@ impl Reading {
         self.ppfd.take_if(|value| is_lost("ppfd", value.is_finite()));
         self.ler_lm_per_w.take_if(|value| is_lost("ler_lm_per_w", value.is_finite()));
         self.lab.take_if(|lab| is_lost("lab", all(&[lab.l, lab.a, lab.b])));
-        self.delta_e2000.take_if(|value| is_lost("delta_e2000", value.is_finite()));
+        self.delta_e2000_to_white.take_if(|value| is_lost("delta_e2000_to_white", value.is_finite()));
         if self.srgb.take_if(|rgb| is_lost("srgb", all(rgb))).is_some() {
             self.hex = None;
         }
@@ -236,7 +274,7 @@ impl Reading {
             ("purity", self.purity.is_none()),
             ("cri_ra", self.cri_ra.is_none()),
             ("tm30_rf", self.tm30_rf.is_none()),
-            ("delta_e2000", self.delta_e2000.is_none()),
+            ("delta_e2000_to_white", self.delta_e2000_to_white.is_none()),
         ];
         for (key, is_missing) in missing {
             if is_missing && !self.notes.iter().any(|note| note.key == key) {

@@ -1,6 +1,7 @@
 //! Generates command lines with the files that they name.
 
 use crate::fuzz::dice::{Dice, Mood};
+use crate::fuzz::measure::measure;
 use nanospectra::sensor::chip::{self, SettingValues};
 
 /// All values of `--space`.
@@ -15,7 +16,7 @@ pub struct Run {
 }
 
 /// Names of lights, some of which there are not.
-const LIGHTS: [&str; 9] = ["D65", "A", "FL11", "LED-B3", "FL3.1", "E", "HP1", "d50", "none"];
+pub const LIGHTS: [&str; 9] = ["D65", "A", "FL11", "LED-B3", "FL3.1", "E", "HP1", "d50", "none"];
 
 /// Writes a run of one command.
 pub type Author = fn(&mut Dice, &mut Run);
@@ -33,16 +34,16 @@ pub fn run_of(seed: u64, (command, author): (&str, Author)) -> Run {
 }
 
 impl Run {
-    fn give(&mut self, words: &[&str]) {
+    pub fn give(&mut self, words: &[&str]) {
         self.arguments.extend(words.iter().map(|word| (*word).to_owned()));
     }
 
-    fn file(&mut self, name: &str, text: String) {
+    pub fn file(&mut self, name: &str, text: String) {
         self.files.push((name.to_owned(), text));
     }
 
     /// Gives options that every command with pictures has.
-    fn report(&mut self, dice: &mut Dice) {
+    pub fn report(&mut self, dice: &mut Dice) {
         if dice.once_in(2) {
             self.give(&["--json"]);
         }
@@ -56,7 +57,7 @@ impl Run {
 }
 
 /// Returns wavelengths as text: steps of one size or of any, and rarely what is no wavelength.
-fn wavelengths(dice: &mut Dice) -> Vec<String> {
+pub fn wavelengths(dice: &mut Dice) -> Vec<String> {
     let mut nm = dice.between(200.0, 520.0).round();
     let step = [0.1, 1.0, 5.0, 10.0, 33.3, 100.0][dice.below(6)];
     let is_even = !dice.once_in(3);
@@ -74,7 +75,7 @@ fn wavelengths(dice: &mut Dice) -> Vec<String> {
 }
 
 /// Returns a table of spectra.
-fn table(dice: &mut Dice, columns: usize) -> String {
+pub fn table(dice: &mut Dice, columns: usize) -> String {
     let mark = dice.of(&[",", ",", ";", "\t", " "]);
     let mood = dice.mood();
     let mut text = String::new();
@@ -93,41 +94,6 @@ fn table(dice: &mut Dice, columns: usize) -> String {
         text.push('\n');
     }
     text
-}
-
-fn measure(dice: &mut Dice, run: &mut Run) {
-    for k in 0..dice.below(3) {
-        let columns = 1 + dice.below(3);
-        run.file(&format!("a{k}.csv"), table(dice, columns));
-        run.give(&[&format!("a{k}.csv")]);
-    }
-    if dice.once_in(3) {
-        run.stdin = table(dice, 1);
-        run.give(&["-"]);
-    }
-    if dice.once_in(2) {
-        run.give(&["--reflectance"]);
-        if dice.once_in(2) {
-            run.give(&["--light", dice.of(&LIGHTS)]);
-        } else if dice.once_in(2) {
-            run.file("light.csv", table(dice, 1));
-            run.give(&["--light", "light.csv"]);
-        }
-    } else if dice.once_in(2) {
-        run.give(&["--unit", dice.of(&["absolute", "relative"])]);
-    }
-    if dice.once_in(3) {
-        let observer = nanospectra::observer::ALL[dice.below(nanospectra::observer::ALL.len())].name;
-        run.give(&["--observer", observer]);
-    }
-    if dice.once_in(3) {
-        run.give(&["--interpolation", dice.of(&["linear", "sprague"])]);
-    }
-    if dice.once_in(4) {
-        run.file("b.csv", table(dice, 1));
-        run.give(&["--compare", "b.csv"]);
-    }
-    run.report(dice);
 }
 
 fn paint(dice: &mut Dice, run: &mut Run) {

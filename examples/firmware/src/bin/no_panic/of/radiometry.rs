@@ -32,6 +32,7 @@ pub fn all() {
         radiometry::illuminance,
         radiometry::luminous_efficacy,
         radiometry::scotopic_illuminance,
+        radiometry::photon_flux,
         radiometry::ppfd,
         radiometry::SurfaceRadiance::<
             fn([f32; 3]) -> radiometry::Radiance<radiometry::Radiant>,

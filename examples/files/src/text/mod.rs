@@ -1,0 +1,5 @@
+//! From bytes to lines and numbers.
+
+pub mod encoding;
+pub mod lines;
+pub mod number;
