@@ -261,7 +261,7 @@ fn photons_of_flat_light_are_the_integral_of_the_wavelength() {
     for (from, to) in [(400, 700), (400, 750), (655, 665), (360, 830)] {
         let [a, b] = [from, to].map(f64::from);
         // h c N_A = 0.119626565824... J m / mol, exact in the SI.
-        let expected = (b * b - a * a) / 2.0 / 119.626_565_824_7;
+        let expected = (b * b - a * a) / 2.0 / 119.626_565_638_697;
         assert!((flat.photons(from, to) * flat.total / expected - 1.0).abs() < 1e-10, "{from} to {to}");
     }
 }

@@ -186,7 +186,7 @@ fn absolute_input_has_lux_and_photons() {
     assert_near(&reading["lux"], 729.83473, 1e-3);
     assert_near(&reading["XYZ"][1], 729.83473, 1e-3);
     // The integral of the wavelength over h c N_A.
-    let photons = |from: f64, to: f64| 0.01 * (to * to - from * from) / 2.0 / 119.626_565_8;
+    let photons = |from: f64, to: f64| 0.01 * (to * to - from * from) / 2.0 / 119.626_565_6;
     assert_near(&reading["ppfd"], photons(400.0, 700.0), 1e-5);
     assert_near(&reading["epar"], photons(400.0, 750.0), 1e-5);
     for (band, from, to) in
@@ -382,7 +382,7 @@ fn narrow_lines_between_nanometers_keep_their_power() {
         // 2 W at the line and a thousandth of a watt for each nanometer beside it.
         assert_near(
             &reading["ppfd"],
-            (2.0 * nm + 0.001 * (700.0f64.powi(2) - 400.0f64.powi(2)) / 2.0) / 119.626_565_8,
+            (2.0 * nm + 0.001 * (700.0f64.powi(2) - 400.0f64.powi(2)) / 2.0) / 119.626_565_6,
             2e-4,
         );
     }

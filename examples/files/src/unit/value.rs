@@ -5,7 +5,7 @@ use super::product::{self, Product};
 use super::words::{self, plain};
 
 /// Wavelength in nm times the energy in J of a mole of photons, divided by 1e6: what 1 umol is, times nm.
-const MICROMOLE_NM: f64 = 119.626_565_824_7;
+const MICROMOLE_NM: f64 = 119.626_565_638_697;
 
 /// Avogadro's number, exact in the SI, per micromole.
 const PHOTONS_PER_MICROMOLE: f64 = 6.022_140_76e17;
@@ -278,7 +278,7 @@ mod tests {
         let unit = Unit::parse("umol/m2/s/nm").unwrap();
         // A micromole a second of 555 nm has 0.2155433 W.
         assert!((unit.convert(1.0, 555.0) - 0.215_543_4).abs() < 1e-6);
-        assert_eq!(unit.convert(2.0, 119.626_565_824_7), 2.0);
+        assert_eq!(unit.convert(2.0, 119.626_565_638_697), 2.0);
     }
 
     #[test]
