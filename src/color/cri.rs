@@ -42,9 +42,8 @@ pub struct Cri {
 ///
 /// # Accuracy
 /// Ra is within 4e-4 and each R within 1.5e-3 of f64, over 1800 spectra of lamps that stand in no table, up
-/// to
-/// |Duv| = 0.05; where a search for the largest errors ended, Ra was off by 7e-4 (a black body, of which
-/// rounding can only lower what is 100) and R by 1.8e-3, or below -100 by 9e-6 of what R lacks to 100
+/// to |Duv| = 0.05; where a search for the largest errors ended, Ra was off by 7e-4 (a black body, of which
+/// rounding can only lower what is 100) and R by 2e-3, or below -100 by 9e-6 of what R lacks to 100
 /// (`tests/color/held_out.rs`). The reference changes by a jump at 5000 K: a light within 0.05 K of it may
 /// get the other one. TCS15 is tabulated over 380..=780 nm only; beyond, its end values are used.
 ///

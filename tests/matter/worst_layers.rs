@@ -7,8 +7,8 @@ use model::geometry::{gauss, integral};
 use model::search::{Range::*, Worst, worst};
 use nanospectra::math::Portable;
 use nanospectra::matter::{
-    Absorber, Mirror, Slab, ThinFilm, external_reflectance, internal_reflectance, internal_reflectance_fit,
-    rayleigh_cross_section,
+    Absorber, Layer, Medium, Mirror, PowerShares, Slab, Stack, ThinFilm, external_reflectance,
+    internal_reflectance, internal_reflectance_fit, rayleigh_cross_section, stack_bins,
 };
 use nanospectra::{Bins, Spectrum};
 use std::f64::consts::PI;
@@ -114,6 +114,43 @@ fn means_over_bins_are_as_exact_as_promised() {
     means(1, [1.0, 2.4, 1.52], [0.4, 1.0]).is_what_is_promised("means of titania on glass", 1.5e-5);
     means(1, [1.0, 1.33, 1.0], [0.08, 0.2]).is_what_is_promised("means of soap, grazing", 3e-5);
     means(2, [4.0, 1.0, 4.0], [0.99, 1.0]).is_what_is_promised("means of a Fabry-Perot gap", 3e-5);
+}
+
+/// The worst error of a mean over 20 nm of four clear layers on glass or the like, read in so many panels for
+/// each fringe.
+fn stacks(seed: u64, panels: f64, indices: [f32; 2], cosines: [f32; 2]) -> Worst<10> {
+    let (nodes, index) = (gauss(12), Even(indices[0], indices[1]));
+    let (thick, cos) = (Even(0.0, 1000.0), Even(cosines[0], cosines[1]));
+    let ranges = [index, index, index, index, thick, thick, thick, thick, index, cos];
+    worst(seed, 100, ranges, |[a, b, c, d, e, f, g, h, substrate, cos]| {
+        let layers = [(a, e), (b, f), (c, g), (d, h)];
+        let wide = layers.map(|(n, d)| (film::C(n.into(), 0.0), f64::from(d)));
+        let fringes = wide.iter().map(|(n, d)| 2.0 * n.0 * d * (1.0 / 500.0 - 1.0 / 520.0)).sum::<f64>();
+        let pieces = 1 + (40.0 * fringes) as usize;
+        let mut exact = [0.0; 2];
+        for piece in 0..pieces {
+            for (x, weight) in &nodes {
+                let nm = 500.0 + 20.0 * (piece as f64 + x) / pieces as f64;
+                let both = film::stack(1.0, &wide, film::C(substrate.into(), 0.0), nm, cos.into());
+                exact.iter_mut().zip(both).for_each(|(sum, [r, _])| *sum += weight * r / pieces as f64);
+            }
+        }
+        let layers = layers.map(|(n, thickness_nm)| Layer { medium: Medium { n, k: 0.0 }, thickness_nm });
+        let stack = Stack { incident: 1.0, layers, substrate: Medium { n: substrate, k: 0.0 } };
+        let panels = (panels * fringes).ceil() as u16;
+        let reflected = |shares: PowerShares| shares.reflected;
+        let found = stack_bins::<4, 1, Bins<500, 520>>(|_| stack, cos, panels, reflected);
+        let off = |k: usize| (f64::from(found[k][0]) - exact[k]).abs();
+        off(0).max(off(1))
+    })
+}
+
+#[test]
+fn means_of_stacks_are_as_exact_as_promised() {
+    let ([glass, any], [steep, all]) = ([[1.3, 2.4], [1.0, 4.0]], [[0.5, 1.0], [0.05, 1.0]]);
+    stacks(4, 10.0, glass, steep).is_what_is_promised("means of glasses, ten panels a fringe", 2.5e-6);
+    stacks(1, 10.0, any, all).is_what_is_promised("means of any stack, ten panels a fringe", 0.03);
+    stacks(1, 100.0, any, all).is_what_is_promised("means of any stack, a hundred", 7e-6);
 }
 
 /// The worst error of a component of light that a mirror of these elements reflects.

@@ -144,6 +144,29 @@ fn triangles_are_as_exact_as_promised() {
         off(from, vertices, |condition, sine| if sine < 1.0 { f64::INFINITY } else { 1.0 + condition })
     })
     .is_what_is_promised("triangles seen within right angles, in units and conditions", 5.0);
+    // Two vertices in nearly opposite directions, and the third one anywhere or in line with them too.
+    let (few, all) = (Sizes(1e-4, 1.0), Even(0.2, 1.2));
+    let ranges = [ANY, ANY, ANY, ANY, ANY, ANY, ANY, ANY, ANY, ANY, ANY, ANY, few, few, all, all];
+    worst(2, STEPS, ranges, |[a, b, c, d, e, f, g, h, i, j, k, l, near, line, behind, beside]| {
+        let from = [a, b, c];
+        let at = |[x, y, z]: [f32; 3], along: f32, aside: f32, [p, q, r]: [f32; 3]| {
+            [a + along * x + aside * p, b + along * y + aside * q, c + along * z + aside * r]
+        };
+        let way = [d, e, f];
+        let vertices = [
+            at(way, 1.0, 0.0, way),
+            at(way, -behind, near, [g, h, i]),
+            at(way, beside - 0.7, line, [j, k, l]),
+        ];
+        off(
+            from,
+            vertices,
+            |condition, sine| {
+                if sine < 1.0 { (1.0 + condition) / (sine * sine) } else { f64::INFINITY }
+            },
+        )
+    })
+    .is_what_is_promised("triangles of opposite vertices, in units, conditions and squared sines", 7.0);
 }
 
 /// The boundary integral in a variable that gathers at the rim, of terms of one sign.

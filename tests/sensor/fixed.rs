@@ -159,6 +159,23 @@ fn sums_are_exact_to_a_few_units_and_never_overflow() {
     assert!(worst > 1e-9);
 }
 
+/// Each weight loses half a unit by rounding, each product nearly a whole one, and each dark level half a unit,
+/// at the full scale that the sums use least.
+#[test]
+fn sums_lose_three_units_for_each_channel_at_worst_and_four_above_dark_levels() {
+    let (exposure, weight) = (Exposure::new(2.0, 127.007_79, 65_535), 1.984_498_6_f32);
+    let calibration = Calibration::from_rows([[weight; 8]; 3]);
+    for (dark, units) in [(0.0_f32, 3.0), (6096.393, 4.0)] {
+        let meter = FixedMeter::new_above(&exposure, &[dark; 8], &calibration).expect("a scale");
+        let found = meter.xyz(&[65_534; 8]).expect("a light");
+        let per_count = f64::from(exposure.gain()) * f64::from(exposure.time_ms());
+        let of = |count: f64| 8.0 * f64::from(weight) * count / per_count;
+        let off = (f64::from(found.y) / 2f64.powi(found.fraction()) - of(65_534.0 - f64::from(dark))).abs();
+        let off = off / of(65_535.0) * 2f64.powi(30) / 8.0;
+        assert!((0.99 * units..=units).contains(&off), "{off} units, above {dark}");
+    }
+}
+
 #[test]
 fn temperature_is_that_of_the_floats_from_an_eighth_of_full_scale() {
     static FLOATS: Meter<8> = Meter::new(&EXPOSURE, &TO_XYZ);

@@ -14,6 +14,7 @@ mod sensor_bits;
 mod spectrometer;
 mod stroboscopic;
 mod tables;
+mod worst_chips;
 mod worst_priors;
 mod worst_readings;
 

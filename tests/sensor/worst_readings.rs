@@ -148,12 +148,13 @@ fn pixels_lie_as_exactly_as_promised() {
         if unit.nm(287) > 1100.0 {
             return -1.0;
         }
-        let off = |pixel: usize| {
-            let terms =
-                coefficients.iter().zip(0..).map(|(c, k)| f64::from(*c) * (pixel as f64 + 1.0).powi(k));
-            (f64::from(unit.nm(pixel)) - terms.sum::<f64>()).abs()
+        let off = |found: f32, place: f64| {
+            let terms = coefficients.iter().zip(0..).map(|(c, k)| f64::from(*c) * place.powi(k));
+            (f64::from(found) - terms.sum::<f64>()).abs()
         };
-        (0..288).map(off).fold(0.0, f64::max)
+        let centers = (0..288).map(|pixel| off(unit.nm(pixel), pixel as f64 + 1.0));
+        let edges = (0..=288).map(|pixel| off(unit.edge_nm(pixel), pixel as f64 + 0.5));
+        centers.chain(edges).fold(0.0, f64::max)
     })
     .is_what_is_promised("wavelengths of pixels, nm", 2.5e-4);
 }

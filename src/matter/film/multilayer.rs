@@ -222,8 +222,14 @@ impl Crossing {
 ///
 /// `stack` makes the stack of a wavelength in nm, `cos_theta` is as in [`Stack::at`], and `share` picks the
 /// share (`|shares| shares.reflected`). Each bin is divided into `panels` pieces that are read at three
-/// points each. Take at least one panel for each fringe within a bin; ten for each fringe hold the mean to
-/// some 1e-6.
+/// points each. Take at least one panel for each fringe within a bin, and more where resonances are sharper
+/// than a fringe.
+///
+/// # Accuracy
+/// Ten panels for each fringe (counted by twice the sum of index times thickness over the wavelength) hold the
+/// mean within 2.5e-6 if indices are 1.3 to 2.4 and cosines at least 0.5, as in coatings of glass. For four
+/// layers of up to 1 um with indices of 1 to 4, seen at cosines from 0.05, ten may be off by 0.03, and a
+/// hundred by 7e-6 (searched in `tests/matter/worst_layers.rs`).
 ///
 /// # Cost
 /// On a Cortex-M4F two layers on 31 bands take 760 bytes of stack at opt-level 3, and 900 at "s".

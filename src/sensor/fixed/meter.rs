@@ -28,8 +28,8 @@ use crate::sensor::{Calibration, Channels, Exposure, ReadingError};
 /// ```
 ///
 /// # Accuracy
-/// XYZ within `2 C + 2` units of 2^-30 of its full scale (what all counts at 65 535 would give, if no weight
-/// were negative).
+/// XYZ within `3 C` units of 2^-30 of its full scale, and `4 C` above dark levels. (Full scale is what all
+/// counts at 65 535 would give the largest of X, Y and Z, if no weight were negative.)
 ///
 /// # Cost
 /// Eight channels to XYZ and lux on a Cortex-M0: 306 instructions, where [`Meter`](crate::sensor::Meter)
