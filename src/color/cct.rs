@@ -147,7 +147,7 @@ impl Uv1960 {
         self.nearest_of(&LOCUS)
     }
 
-    /// Finds the same to 0.0015 mired, by a table of 784 bytes, for color rendering, which multiplies errors
+    /// Finds the same to 0.002 mired, by a table of 784 bytes, for color rendering, which multiplies errors
     /// of the temperature.
     #[cfg(feature = "libm")]
     pub(super) fn fine_cct(self) -> Cct {

@@ -143,6 +143,15 @@ fn colors_that_only_a_sigmoid_without_a_scale_has_are_exact() {
 }
 
 #[test]
+fn a_dark_green_is_exact_by_the_steepest_curve() {
+    // No spectrum has this color. The steepest curve is within 0.002 of it, which the reference of the cubes
+    // does not find, because its curves are less steep.
+    let bt2020: Cube<81, Wide, Bt2020> = Cube::under(&LIGHT);
+    let (solved, off) = bt2020.ask([0.0, SrgbTransfer::decode(1.0 / 16.0), 0.0]);
+    assert!(solved.status == Status::Exact && off < 0.002, "{off} {solved:?}");
+}
+
+#[test]
 fn the_nearest_color_is_near() {
     let aces: Cube<81, Wide, AcesCg> = Cube::under(&daylight(6000.0).expect("in range").fine());
     for (rgb, most) in [([0.0, 1.0, 0.0], 8.75), ([-0.083, 0.164, 0.892], 13.7)] {

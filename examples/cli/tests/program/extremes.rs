@@ -68,7 +68,7 @@ fn colors_too_large_for_a_spectrum_are_refused() {
 fn narrow(grid: &str, from: f32, to: f32) -> Value {
     let points = format!("[[{}, 0], [{from}, 1], [{to}, 1], [{}, 0]]", from - 0.5, to + 0.5);
     let toml = format!("grid = \"{grid}\"\n[lamp]\npoints = {points}\n[[part]]\nsurface.flat = 0.5\n");
-    SCENE.written("narrow", &toml)
+    SCENE.written(&format!("narrow-{from}-{to}"), &toml)
 }
 
 /// A smooth curve through the averages of a narrow lamp swings below zero, and such a lamp would be no white.

@@ -145,7 +145,7 @@ fn a_name_of_many_characters_gives_a_short_message() {
         }
         let sound = headed("gain,time_ms,full_scale,NAME", "1,1,100,5");
         for table in ["row,b\nX,1\n", "b,X,Y,Z\n1,1,1,1\n", "nm,b\n400,1\n"] {
-            let table = SENSOR.file("other.csv", table);
+            let table = SENSOR.file("other-log.csv", table);
             for option in ["--calibration", "--responsivity"] {
                 refused(&sound, &SENSOR, &[&custom[..], &[option, &table]].concat());
             }

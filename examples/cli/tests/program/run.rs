@@ -1,10 +1,13 @@
 //! Runs the program as a user does, and reads what it says.
 
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, PoisonError};
+use std::thread::{self, ThreadId};
 
 /// A command of the program, and the tests that run it, which have files of their own.
 pub struct Program(pub &'static str, pub &'static str);
@@ -136,9 +139,16 @@ impl Program {
         directory
     }
 
+    /// A path of this name, which only one test may use: tests run at the same time.
     fn path(&self, name: &str) -> PathBuf {
-        Path::new(env!("CARGO_TARGET_TMPDIR"))
-            .join(format!("{}-{name}", self.1.trim_start_matches("program::")))
+        static USERS: Mutex<BTreeMap<PathBuf, ThreadId>> = Mutex::new(BTreeMap::new());
+        let name = format!("{}-{name}", self.1.trim_start_matches("program::"));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(&name);
+        let this = thread::current().id();
+        let mut users = USERS.lock().unwrap_or_else(PoisonError::into_inner);
+        let user = *users.entry(path.clone()).or_insert(this);
+        assert_eq!(user, this, "another test writes {name}, too");
+        path
     }
 }
 

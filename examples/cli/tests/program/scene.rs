@@ -115,7 +115,7 @@ fn films_of_soap_have_the_published_colors() {
     for row in csv::golden("10_thin_film_color").rows().filter(|row| row.text("stack") == "soap") {
         let (thickness, angle) = (row.number("d_nm"), row.number("theta_deg"));
         let film = format!("film = {{ n = 1.33, thickness_nm = {thickness}, angle_deg = {angle} }}");
-        let answer = SCENE.written("soap", &format!("[lamp]\ncie = \"D65\"\n[[part]]\n{film}\n"));
+        let answer = SCENE.written("soap-film", &format!("[lamp]\ncie = \"D65\"\n[[part]]\n{film}\n"));
         // 5 nm averages under a spline, where the golden sums points at 1 nm.
         let published = row.numbers(["X", "Y", "Z"]);
         for (found, published) in numbers(&answer["XYZ"]).into_iter().zip(published) {
