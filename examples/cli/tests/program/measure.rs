@@ -223,6 +223,13 @@ fn receptors_have_their_equivalent_daylight() {
 }
 
 #[test]
+fn what_a_file_states_beside_its_spectra_is_told() {
+    let meter = "Model;X-1\nCCT(K);3182\nnm;lamp\n400;1\n500;2\n700;4\nMemo;good\n";
+    let reading = &MEASURE.json_with(meter, &["-"])[0];
+    assert_eq!(reading["stated"], serde_json::json!({"Model": "X-1", "CCT(K)": "3182", "Memo": "good"}));
+}
+
+#[test]
 fn each_unit_has_the_readings_of_its_kind() {
     let flat = "360 0.01\n830 0.01\n";
     // 683.002 times 0.01 times the sum of V(lambda), 106.856895 (CIE 018).

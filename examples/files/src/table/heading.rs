@@ -22,6 +22,13 @@ pub struct Heading {
     pub axis: Option<Said>,
 }
 
+impl Heading {
+    /// Returns the lines of the names and of the units, or 0 where there are none.
+    pub fn lines(&self) -> [usize; 2] {
+        [&self.names, &self.units].map(|cells| cells.first().map_or(0, |cell| cell.line))
+    }
+}
+
 /// What begins the lines that say what was measured.
 const KINDS: [&str; 5] = ["technique", "mode", "measurement", "data type", "spectrum type"];
 
@@ -73,7 +80,7 @@ pub fn read(lines: &[Line], from: usize, block: &Block, dialect: Dialect) -> Hea
         heading.names = cells.next_back().unwrap_or_default();
     }
     // What stands in the heading of a column is said of that column alone.
-    let of_columns = [&heading.names, &heading.units].map(|cells| cells.first().map_or(0, |cell| cell.line));
+    let of_columns = heading.lines();
     for line in above.iter().filter(|line| !of_columns.contains(&line.number)) {
         general(line, &mut heading);
     }
@@ -188,10 +195,10 @@ fn general(line: &Line, heading: &mut Heading) {
     }
 }
 
-/// Returns the facts that lines state as a name and a value.
-pub fn facts(lines: &[Line]) -> Vec<Fact> {
+/// Returns the facts that lines state as a name and a value, without the lines of a heading.
+pub fn facts(lines: &[Line], heading: [usize; 2]) -> Vec<Fact> {
     let mut facts = Vec::new();
-    for line in lines {
+    for line in lines.iter().filter(|line| !heading.contains(&line.number)) {
         let text = remark(line.text).unwrap_or(line.text).trim();
         let Some((name, value)) = text.split_once(['\t', '=', ';', ',']).or_else(|| text.split_once(':'))
         else {

@@ -35,15 +35,16 @@ pub fn read(text: &str) -> Result<Tables, Refusal> {
     for block in &blocks {
         check_commas(&lines[block.lines.clone()], dialect)?;
         let heading = heading::read(&lines, from, block, dialect);
+        let of_columns = heading.lines();
         let grid = match transposed::read(&lines, block, &heading, dialect) {
             Some(grid) => grid,
             None => columns(&lines[block.lines.clone()], block, heading, dialect),
         };
         tables.grids.push(grid);
-        tables.facts.extend(heading::facts(&lines[from..block.lines.start]));
+        tables.facts.extend(heading::facts(&lines[from..block.lines.start], of_columns));
         from = block.lines.end;
     }
-    tables.facts.extend(heading::facts(&lines[from..]));
+    tables.facts.extend(heading::facts(&lines[from..], [0; 2]));
     Ok(tables)
 }
 
