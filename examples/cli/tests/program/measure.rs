@@ -291,6 +291,7 @@ fn separators_line_ends_and_comments_make_no_difference() {
     let read = |text: &str| {
         let mut reading = MEASURE.json_with(text, &["-"]).remove(0);
         reading["read"].take();
+        reading["stated"].take();
         let notes = reading["notes"].as_array_mut().expect("notes");
         notes.retain(|note| !note.as_str().unwrap_or("").starts_with("read: "));
         reading
