@@ -102,7 +102,7 @@ impl<Q, const N: usize, G: Bands> Spectrum<Q, N, G> {
     /// # Cost
     /// In RGB bands it costs nothing. On a grid it takes about 0.5 us on x86-64 at N = 31, and `20 N + 48`
     /// bytes of constants for each grid and space. Call it when a scene is built and not for each ray. On a
-    /// Cortex-M4F a reflectance of 31 bands takes 1,380 bytes of stack at opt-level 3, and 1,920 at "s".
+    /// Cortex-M4F a reflectance of 31 bands takes 1,380 bytes of stack at opt-level 3, and 1,950 at "s".
     ///
     /// ```
     /// use nanospectra::color::{Rgb, RgbBands, Srgb};

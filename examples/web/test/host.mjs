@@ -18,8 +18,8 @@ export function json(command, args, input = '') {
 }
 
 /**
- * Returns the reports of an output in JSON, without the key `read`: it says where in a file the numbers stand, and the
- * package is given numbers and not files. Its parser assumes nothing, which is the option `--strict` of `measure`.
+ * Returns the reports of an output in JSON, without the keys `read` and `stated`: they say where in a file the numbers
+ * stand and what else it says, and the package is given numbers and not files. Its parser assumes nothing, which is the option `--strict` of `measure`.
  * @param {string} stdout @returns {object[]}
  */
 export const reports = (stdout) =>
@@ -27,7 +27,7 @@ export const reports = (stdout) =>
     .trim()
     .split('\n')
     .map((line) => JSON.parse(line))
-    .map(({ read, ...report }) => report);
+    .map(({ read, stated, ...report }) => report);
 
 /** @param {string[]} args @param {string} [input] @returns {object[]} what `measure` reports about spectra */
 export const measured = (args, input) => json('measure', ['--strict', ...args], input);
