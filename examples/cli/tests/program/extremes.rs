@@ -96,7 +96,11 @@ fn a_lamp_that_is_no_white_is_said_to_be_none() {
     let red = narrow("bins:60,380,730", 698.0, 702.0);
     assert_eq!((&red["lab"], &red["bill"][0]["without_delta_e2000"]), (&Value::Null, &Value::Null));
     assert_eq!(red["hex_is_clipped"], true, "{red}");
-    assert!(red["notes"].to_string().contains("the lamp is no white"), "{}", red["notes"]);
+    let notes = red["notes"].to_string();
+    assert!(
+        notes.contains("the lamp is no white; there is no Lab, and the colors are not adapted"),
+        "{notes}"
+    );
     assert!(red["hex"].as_str().is_some_and(|hex| hex.ends_with("0000")), "{}", red["hex"]);
     let report = SCENE.says(&[&SCENE.file(
         "red.toml",

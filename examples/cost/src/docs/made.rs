@@ -174,13 +174,20 @@ fn math(report: &Value) -> String {
     out
 }
 
+/// Returns the largest of errors, from 0.001 on, with the digits of [`figure`] but rounded up.
+fn no_more(error: f64) -> String {
+    let decimals = figure(error).split_once('.').map_or(0, |(_, decimals)| decimals.len() as i32);
+    let unit = 10f64.powi(-decimals);
+    figure((error / unit - 1e-6).ceil() * unit)
+}
+
 fn cct(report: &Value) -> String {
     let mut out =
         "| | of lamps | of the plane | table | Cortex-M4F | Cortex-M0 |\n|---|--:|--:|--:|--:|--:|\n"
             .to_owned();
     for row in rows(report, "cct") {
         let mired = |column| {
-            number(row, column).map_or_else(|| "-".to_owned(), |error| format!("{} mired", figure(error)))
+            number(row, column).map_or_else(|| "-".to_owned(), |error| format!("{} mired", no_more(error)))
         };
         out += &format!(
             "| {} | {} | {} | {} B | {} | {} |\n",
