@@ -53,6 +53,19 @@ fn table(names: &str, columns: usize) -> String {
     format!("nm{names}\n{}", (380..=780).step_by(10).map(row).collect::<String>())
 }
 
+/// A spectrum of many wavelengths, in rows of 15 bytes.
+pub fn rows(rows: usize) -> String {
+    let row = |k: usize| format!("{:08.4},{:.3}\n", 400.0 + k as f64 / 1000.0, 0.5 + (k % 17) as f64 / 100.0);
+    format!("nm,lamp\n{}", (0..rows).map(row).collect::<String>())
+}
+
+/// A spectrum in each row.
+pub fn transposed(spectra: usize) -> String {
+    let heading: String = (380..=780).step_by(10).map(|nm| format!(",{nm}")).collect();
+    let row = |k| format!("lamp {k}{}\n", ",0.5".repeat(41));
+    format!("name{heading}\n{}", (0..spectra).map(row).collect::<String>())
+}
+
 /// Spectra at 41 wavelengths.
 pub fn columns(columns: usize) -> String {
     table(&(0..columns).map(|k| format!(",lamp {k}")).collect::<String>(), columns)

@@ -61,14 +61,19 @@ pub fn read(lines: &[Line], block: &Block, heading: &Heading, dialect: Dialect) 
 
 /// Returns whether the first column is an axis, by its heading and by its numbers.
 fn is_upright(lines: &[Line], block: &Block, above: Option<&Line>, dialect: Dialect) -> bool {
-    let first = |line: &Line| {
-        let cell = dialect.first(line.text)?;
-        number(cell.trim(), dialect.decimal).filter(|number| LIKELY.contains(number))
-    };
+    if !above.and_then(|line| dialect.first(line.text)).is_some_and(|cell| names_axis(&cell)) {
+        return false;
+    }
     let rows = lines[block.lines.clone()].iter().filter(|line| !body::is_comment(line.text));
-    let numbers: Option<Vec<f64>> = rows.filter(|line| !line.text.trim().is_empty()).map(first).collect();
-    let is_named = above.and_then(|line| dialect.first(line.text)).is_some_and(|cell| names_axis(&cell));
-    is_named && numbers.is_some_and(|numbers| numbers.windows(2).all(|pair| pair[1] > pair[0]))
+    let mut cells = Vec::new();
+    let mut before = 0.0;
+    rows.filter(|line| !line.text.trim().is_empty()).all(|line| {
+        dialect.split(line.text, &mut cells);
+        let first = cells.first().and_then(|cell| number(cell.trim(), dialect.decimal));
+        let rises = first.is_some_and(|first| LIKELY.contains(&first) && first > before);
+        before = first.unwrap_or(before);
+        rises
+    })
 }
 
 impl Axis {
