@@ -126,7 +126,7 @@ fn can_run(option: &str, name: &str) -> bool {
     let places: &[&str] = match option {
         "-p" if name == "nanospectra" => return true,
         "-p" => &["", "examples/", "tests/"],
-        "--example" => &["examples/"],
+        "--example" => &["examples/", "examples/files/examples/"],
         "--bench" => &["benches/"],
         "--test" => &["tests/", "benches/tests/", "examples/web/tests/"],
         _ => &["examples/firmware/src/bin/"],
