@@ -20,6 +20,9 @@ pub struct Block {
     pub first: Shape,
 }
 
+/// What is said of a line that would be lost.
+const NO_ROW: &str = "this line stands in a table and is no row of it; correct it or take it out";
+
 /// The fewest rows of a table beside a longer one.
 const FEWEST: usize = 5;
 
@@ -45,6 +48,17 @@ pub fn find(lines: &[Line], dialect: Dialect) -> Result<Vec<Block>, Refusal> {
             block.rows += 1;
             block.cells = block.cells.max(shape.cells);
             continue;
+        }
+        // A line that looks like the next row and is none would be lost.
+        if let Some(block) = blocks.last().filter(|_| open)
+            && place == block.lines.end
+            && block.rows > 1
+            && shape.cells == block.cells
+            && shape.texts > 0
+            && !shape.is_row()
+            && starts_with_number(line.text)
+        {
+            return Err(Refusal::at(line.number, NO_ROW));
         }
         open = shape.is_row();
         if open {
@@ -75,8 +89,7 @@ fn check_gaps(lines: &[Line], blocks: &[Block], longest: usize) -> Result<(), Re
             && below.lines.start - above.lines.end < 3
             && starts_with_number(broken.text)
         {
-            let what = "this line is in the middle of a table and is no row of it; correct it or take it out";
-            return Err(Refusal::at(broken.number, what));
+            return Err(Refusal::at(broken.number, NO_ROW));
         }
     }
     Ok(())
@@ -109,7 +122,9 @@ impl Block {
         if self.first.labeled || shape.labeled {
             return self.first.labeled && shape.labeled;
         }
-        let enough = shape.is_row() || (shape.numbers >= 1 && shape.first == self.first.first);
+        // A row without its wavelength is a row still, and is found to be wrong later.
+        let is_alike = shape.first == self.first.first || (shape.texts == 0 && shape.cells == self.cells);
+        let enough = shape.is_row() || (shape.numbers >= 1 && is_alike);
         enough
             && (shape.cells <= self.cells || self.rows < 2)
             && shape.texts <= self.first.texts.max(shape.numbers)

@@ -5,7 +5,7 @@ use super::dialect::{Dialect, Separator, said};
 use crate::grid::Said;
 use crate::reading::Fact;
 use crate::text::lines::Line;
-use crate::text::number::{Cell, cell};
+use crate::text::number::{Cell, Decimal, cell};
 use crate::unit::{AxisUnit, Unit, names_axis, plain};
 use std::borrow::Cow;
 
@@ -206,8 +206,9 @@ pub fn facts(lines: &[Line], heading: [usize; 2]) -> Vec<Fact> {
         };
         let (name, value) =
             (name.trim_matches([' ', '"', ':']), value.trim_matches([' ', '"', ',', ';', '\t']));
-        let is_name = name.contains(char::is_alphabetic);
-        if is_name && !value.is_empty() && name.len() <= 60 && value.len() <= 200 {
+        let is_word = |text: &str| matches!(cell(text, Decimal::Point), Cell::Text(_));
+        let is_name = name.contains(char::is_alphabetic) && is_word(name);
+        if is_name && cell(value, Decimal::Point) != Cell::Missing && name.len() <= 60 && value.len() <= 200 {
             facts.push(Fact { line: line.number, name: name.to_owned(), value: value.to_owned() });
         }
     }
