@@ -21,9 +21,27 @@ pub enum Cell<'a> {
 }
 
 /// The words for a value that is not there, in lower case.
-const MISSING: [&str; 16] = [
-    "", "nan", "na", "n/a", "#n/a", "null", "none", "nil", "-", "--", "---", "#num!", "#value!", "#div/0!",
-    "inf", "-inf",
+const MISSING: [&str; 20] = [
+    "",
+    "nan",
+    "na",
+    "n/a",
+    "#n/a",
+    "null",
+    "none",
+    "nil",
+    "-",
+    "--",
+    "---",
+    "#num!",
+    "#value!",
+    "#div/0!",
+    "inf",
+    "-inf",
+    "+inf",
+    "infinity",
+    "-infinity",
+    "+infinity",
 ];
 
 /// Reads a cell.
@@ -33,7 +51,7 @@ pub fn cell(text: &str, decimal: Decimal) -> Cell<'_> {
         return Cell::Number(number);
     }
     // Infinity stands for a division by nothing, as the words of spreadsheets do.
-    let short = text.len() <= 8;
+    let short = text.len() <= 9;
     if short && MISSING.contains(&text.to_lowercase().as_str()) { Cell::Missing } else { Cell::Text(text) }
 }
 

@@ -11,6 +11,7 @@ const REFUSED: &[(&str, Option<Setting>, &str)] = &[
     ("nm,a\n400,1\n410,2\n410,3\n", None, "410 nm twice"),
     ("nm,a\n400,1\n420,2\n410,3\n", None, "sort the rows"),
     ("nm,a\n400,1\n410,2\nnan,3\n", None, "wavelength is missing"),
+    ("nm,a\n400,1\n410,2\ninfinity,3\n", None, "wavelength is missing"),
     ("nm,a\n400,1\n410,2\n42O,3\n", None, "no row of it"),
     ("nm,a\n400,1\n410,2\n42O,3\n430,4\n440,5\n", None, "no row of it"),
     ("nm,a\n400,1\n,2\n420,3\n", None, "wavelength is missing"),
